@@ -1,0 +1,4 @@
+//! farop: scenes in, a geometry stage that students can read, any rasterizer plugged in, honest answers out.
+
+pub mod color;
+pub mod math;
