@@ -169,10 +169,7 @@ fn srgb_level(light: f32) -> u8 {
     // A power per channel would cost more than rasterizing it. The curve is monotone, so 255 thresholds say
     // the same: level k begins at the smallest f32 whose encoded value rounds to k.
     let thresholds = srgb_thresholds();
-    // The negated test sends NaN to 0.
-    if !(light >= thresholds[0]) {
-        return 0;
-    }
+    // NaN is below every threshold and so gives 0.
     thresholds.partition_point(|&threshold| threshold <= light) as u8
 }
 

@@ -1,0 +1,252 @@
+//! The scene: a tree of objects, what they are made of, lights and a camera.
+//!
+//! text -parse-> SCENE -plan, geometry-> DrawList
+//!
+//! FAROP's model (section 4.2 of the paper): an object has surfaces, sub-objects, and one transform relative to
+//! its parent; a surface has one material, a list of vertices shared by its polygons, and the polygons.
+//!
+//! Why arenas and indices instead of nested boxes: 100,000 nested objects are legal input, and dropping or
+//! walking that many boxes recursively overflows the stack. Indices also let several parents share one child.
+//!
+//! Space: every object has its own local space; `parent_from_local` leads out of it. World space is right-handed,
+//! polygons are counterclockwise seen from their front. Colors are display values, as written in the file.
+
+mod mesh;
+mod tree;
+
+pub use mesh::{Mesh, NormalSource, Polygon};
+pub use tree::{InstanceBudgetExceeded, Placed};
+
+use crate::color::Rgb;
+use crate::math::{Affine3, Vec3};
+
+/// Everything that was read: the tree of objects, lights, camera and background.
+///
+/// Every index in it is valid; [`Scene::merge`] keeps it so.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Scene {
+    /// Names of the files (or built-in scenes) it came from; [`Place::file`] points here.
+    pub files: Vec<String>,
+    /// All objects, in no particular order; [`ObjectId`] points here.
+    pub objects: Vec<Object>,
+    /// All surfaces; [`SurfaceId`] points here.
+    pub surfaces: Vec<Surface>,
+    /// The top-level objects, in the order of the files: the children of the world.
+    pub world: Vec<ObjectId>,
+    /// The lights, in the order of the files.
+    pub lights: Vec<Light>,
+    /// Where it is seen from; `None` until a file or the command line says so.
+    pub camera: Option<Camera>,
+    /// Color behind everything; `None` means black.
+    pub background: Option<Rgb>,
+}
+
+/// Points at one of [`Scene::objects`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct ObjectId(pub u32);
+
+/// Points at one of [`Scene::surfaces`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct SurfaceId(pub u32);
+
+/// A line of a scene file: what diagnostics and `farop why` name.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Place {
+    /// Index into [`Scene::files`].
+    pub file: u16,
+    /// 1-based; 0 where there is no line (built in the program).
+    pub line: u32,
+}
+
+/// A node of the tree: surfaces, sub-objects, and one transform relative to the parent.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Object {
+    /// What the file calls it; may be empty.
+    pub name: String,
+    /// Leads from this object's local space to its parent's (for a top-level object: to world space).
+    pub parent_from_local: Affine3,
+    /// Drawn before the children, in this order.
+    pub surfaces: Vec<SurfaceId>,
+    /// Sub-objects, in this order. No cycles.
+    pub children: Vec<ObjectId>,
+    /// Where it was declared.
+    pub place: Place,
+}
+
+/// Polygons and primitives of one material that share a list of vertices.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Surface {
+    /// Color and reflection.
+    pub material: Material,
+    /// The polygons of the file.
+    pub mesh: Mesh,
+    /// Spheres and cones, turned into polygons only when the view is known.
+    pub primitives: Vec<Primitive>,
+    /// Where its material was declared.
+    pub place: Place,
+}
+
+/// A curved shape of the file and its place in the order of the surface's polygons.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Primitive {
+    /// What it is, in local space.
+    pub shape: Shape,
+    /// Only the inside is visible (NFF writes this as a negative radius).
+    pub inside: bool,
+    /// It comes before this polygon of [`Surface::mesh`] (or after all, if this is the number of polygons).
+    pub before: u32,
+    /// 1-based line in the file of the surface.
+    pub line: u32,
+}
+
+/// The curved shapes of NFF. Radii are positive, or zero at one end of a cone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Shape {
+    /// All points at `radius` from `center`.
+    Sphere {
+        /// Local space.
+        center: Vec3,
+        /// Local units.
+        radius: f64,
+    },
+    /// A cone or, with equal radii, a cylinder: the side only, open at both ends.
+    ///
+    /// Where `base` and `apex` coincide it is the flat disc or ring between the two radii, facing +z.
+    Cone {
+        /// Center of the first end.
+        base: Vec3,
+        /// Radius there.
+        base_radius: f64,
+        /// Center of the other end.
+        apex: Vec3,
+        /// Radius there.
+        apex_radius: f64,
+    },
+}
+
+/// What light a surface sends back: Phong's model with NFF's coefficients.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material {
+    /// Scales ambient and diffuse light; display values 0..1.
+    pub color: Rgb,
+    /// Coefficient of ambient light. `None` (NFF has none): the renderer's ambient light, reflected as `diffuse` says.
+    pub ambient: Option<f64>,
+    /// Coefficient of diffuse light, NFF's Kd.
+    pub diffuse: f64,
+    /// Coefficient of the highlight, NFF's Ks.
+    pub specular: f64,
+    /// Phong's cosine power, NFF's Shine: larger is smaller and sharper. 100000 means no visible highlight.
+    pub shine: f64,
+    /// 1 hides what is behind, 0 is invisible; per channel. NFF's 1 - T.
+    pub opacity: Rgb,
+    /// Index of refraction: kept for the NFF writer, unused by rasterizers.
+    pub refraction: f64,
+}
+
+impl Default for Material {
+    /// What NFF objects get before any `f`: white, Kd 0.8, opaque.
+    fn default() -> Self {
+        Material {
+            color: Rgb::WHITE,
+            ambient: None,
+            diffuse: 0.8,
+            specular: 0.0,
+            shine: 0.0,
+            opacity: Rgb::WHITE,
+            refraction: 1.0,
+        }
+    }
+}
+
+impl Material {
+    /// Hides everything behind it.
+    #[must_use]
+    pub fn is_opaque(&self) -> bool {
+        self.opacity == Rgb::WHITE
+    }
+}
+
+/// A point light, without attenuation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Light {
+    /// World space.
+    pub position: Vec3,
+    /// Relative color; light, not a display value. White where the file gives none.
+    pub color: Rgb,
+    /// Factor on `color`. `None` (NFF has none): the renderer chooses, see [`crate::plan`].
+    pub intensity: Option<f64>,
+    /// Where it was declared.
+    pub place: Place,
+}
+
+/// Where the scene is seen from, in world space, and how large the picture is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// The eye.
+    pub from: Vec3,
+    /// The point in the middle of the picture.
+    pub at: Vec3,
+    /// A direction that is up in the picture; neither unit nor square to the view.
+    pub up: Vec3,
+    /// Full opening in degrees, across the smaller side of the picture; above 0, below 180.
+    pub angle: f64,
+    /// Distance of the near plane along the view; `<= 0` means 1/1000 of the distance from `from` to `at`.
+    pub hither: f64,
+    /// Distance of the far plane; `None`: infinitely far.
+    pub yon: Option<f64>,
+    /// Width and height of the picture in pixels.
+    pub resolution: (u32, u32),
+    /// Where it was declared.
+    pub place: Place,
+}
+
+impl Scene {
+    /// The object `id` points at.
+    #[must_use]
+    pub fn object(&self, id: ObjectId) -> &Object {
+        &self.objects[id.0 as usize]
+    }
+
+    /// The surface `id` points at.
+    #[must_use]
+    pub fn surface(&self, id: SurfaceId) -> &Surface {
+        &self.surfaces[id.0 as usize]
+    }
+
+    /// Adds `later` behind what is here: objects and lights add up, view parameters of `later` win.
+    ///
+    /// Returns which view parameters were replaced, for the notice that FAROP prints.
+    pub fn merge(&mut self, later: Scene) -> Vec<&'static str> {
+        let mut replaced = Vec::new();
+        if later.camera.is_some() && self.camera.is_some() {
+            replaced.push("camera");
+        }
+        if later.background.is_some() && self.background.is_some() {
+            replaced.push("background");
+        }
+        let (files, objects, surfaces) =
+            (self.files.len() as u16, self.objects.len() as u32, self.surfaces.len() as u32);
+        let moved = |place: Place| Place { file: place.file + files, ..place };
+        self.files.extend(later.files);
+        self.objects.extend(later.objects.into_iter().map(|object| Object {
+            surfaces: object.surfaces.iter().map(|id| SurfaceId(id.0 + surfaces)).collect(),
+            children: object.children.iter().map(|id| ObjectId(id.0 + objects)).collect(),
+            place: moved(object.place),
+            ..object
+        }));
+        let surfaces_of_later = later.surfaces.into_iter();
+        self.surfaces.extend(surfaces_of_later.map(|surface| Surface { place: moved(surface.place), ..surface }));
+        self.world.extend(later.world.iter().map(|id| ObjectId(id.0 + objects)));
+        self.lights.extend(later.lights.into_iter().map(|light| Light { place: moved(light.place), ..light }));
+        self.camera = later.camera.map(|camera| Camera { place: moved(camera.place), ..camera }).or(self.camera);
+        self.background = later.background.or(self.background);
+        replaced
+    }
+
+    /// `file:line` of a place, for messages.
+    #[must_use]
+    pub fn describe(&self, place: Place) -> String {
+        let file = self.files.get(usize::from(place.file)).map_or("?", String::as_str);
+        if place.line == 0 { file.to_string() } else { format!("{file}:{}", place.line) }
+    }
+}

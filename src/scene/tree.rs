@@ -1,0 +1,102 @@
+//! Walking the tree of objects without recursion.
+//!
+//! Why not recursion: nesting depth is input, the stack is not. Why a budget: an object may be used by several
+//! parents, so 60 doublings make 2^60 instances out of a short file.
+
+use super::{Object, ObjectId, Scene};
+use crate::math::Affine3;
+
+/// One instance of an object, with the transform that leads from its local space to world space.
+#[derive(Clone, Copy, Debug)]
+pub struct Placed<'a> {
+    /// The object.
+    pub object: &'a Object,
+    /// Which of [`Scene::objects`] it is.
+    pub id: ObjectId,
+    /// World from local: the product of all transforms up to the root.
+    pub world_from_local: Affine3,
+}
+
+/// More instances than the budget allows: runaway instancing, or a cycle.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the scene has more than {budget} object instances: objects that use each other multiply")]
+pub struct InstanceBudgetExceeded {
+    /// The limit that was reached.
+    pub budget: usize,
+}
+
+impl Scene {
+    /// How many object instances a scene may have.
+    pub const INSTANCE_BUDGET: usize = 20_000_000;
+
+    /// Calls `visit` for every object instance, a parent before its children, children in order.
+    ///
+    /// # Errors
+    /// [`InstanceBudgetExceeded`] when there are more than [`Scene::INSTANCE_BUDGET`] instances.
+    pub fn walk(&self, mut visit: impl FnMut(Placed<'_>)) -> Result<(), InstanceBudgetExceeded> {
+        // Children go onto the stack in reverse, so that the first comes off first.
+        let mut stack: Vec<(ObjectId, Affine3)> =
+            self.world.iter().rev().map(|&id| (id, self.object(id).parent_from_local)).collect();
+        let mut visited = 0;
+        while let Some((id, world_from_local)) = stack.pop() {
+            visited += 1;
+            if visited > Scene::INSTANCE_BUDGET || stack.len() > Scene::INSTANCE_BUDGET {
+                return Err(InstanceBudgetExceeded { budget: Scene::INSTANCE_BUDGET });
+            }
+            let object = self.object(id);
+            visit(Placed { object, id, world_from_local });
+            let children = object.children.iter().rev();
+            stack.extend(children.map(|&child| (child, world_from_local * self.object(child).parent_from_local)));
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::Vec3;
+    use crate::scene::Place;
+
+    fn object(name: &str, x: f64, children: &[u32]) -> Object {
+        Object {
+            name: name.to_string(),
+            parent_from_local: Affine3::from_translation(Vec3::new(x, 0.0, 0.0)),
+            surfaces: Vec::new(),
+            children: children.iter().map(|&id| ObjectId(id)).collect(),
+            place: Place::default(),
+        }
+    }
+
+    #[test]
+    fn parents_come_before_children_and_transforms_multiply() {
+        let objects = vec![object("arm", 1.0, &[1, 2]), object("hand", 10.0, &[]), object("clock", 20.0, &[])];
+        let scene = Scene { objects, world: vec![ObjectId(0)], ..Scene::default() };
+        let mut seen = Vec::new();
+        scene
+            .walk(|placed| seen.push((placed.object.name.clone(), placed.world_from_local.translation.x)))
+            .expect("small");
+        assert_eq!(seen, [("arm".into(), 1.0), ("hand".into(), 11.0), ("clock".into(), 21.0)]);
+    }
+
+    #[test]
+    fn a_hundred_thousand_nested_objects_walk_and_drop() {
+        let count = 100_000;
+        let objects: Vec<_> = (0..count).map(|i| object("", 1.0, if i + 1 < count { &[0] } else { &[] })).collect();
+        let mut scene = Scene { objects, world: vec![ObjectId(0)], ..Scene::default() };
+        for (index, object) in scene.objects.iter_mut().enumerate() {
+            object.children.iter_mut().for_each(|child| *child = ObjectId(index as u32 + 1));
+        }
+        let mut deepest = 0.0;
+        scene.walk(|placed| deepest = placed.world_from_local.translation.x).expect("within the budget");
+        assert_eq!(deepest, f64::from(count));
+    }
+
+    #[test]
+    fn doubling_sixty_times_is_an_error() {
+        let objects = (0..60).map(|i| object("", 0.0, &[i + 1, i + 1])).chain([object("", 0.0, &[])]).collect();
+        let scene = Scene { objects, world: vec![ObjectId(0)], ..Scene::default() };
+        // Parents are visited before children, so the budget ends the walk, not the memory.
+        assert!(scene.walk(|_| ()).is_err());
+    }
+}
