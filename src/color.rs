@@ -166,30 +166,50 @@ fn srgb_encode(light: f64) -> f64 {
 }
 
 fn srgb_level(light: f32) -> u8 {
-    // A power per channel would cost more than rasterizing it. The curve is monotone, so 255 thresholds say
-    // the same: level k begins at the smallest f32 whose encoded value rounds to k.
-    let thresholds = srgb_thresholds();
-    // NaN is below every threshold and so gives 0.
-    thresholds.partition_point(|&threshold| threshold <= light) as u8
+    let table = srgb_table();
+    // Also sends NaN to 0.
+    if light < 0.0 || light.is_nan() {
+        return 0;
+    }
+    // The upper half of the bits of an f32 grows with it, and says nearly enough.
+    let start = ((light.to_bits() >> 16) as usize).min(table.start.len() - 1);
+    let mut level = table.start[start];
+    while level < 255 && light >= table.thresholds[usize::from(level)] {
+        level += 1;
+    }
+    level
 }
 
-/// `thresholds[k - 1]` is the smallest light of level k.
-fn srgb_thresholds() -> &'static [f32; 255] {
-    static THRESHOLDS: OnceLock<[f32; 255]> = OnceLock::new();
-    THRESHOLDS.get_or_init(|| {
-        let rounds_to_at_least = |light: f32, level: f64| (srgb_encode(f64::from(light)) * 255.0).round() >= level;
-        std::array::from_fn(|index| {
-            let level = (index + 1) as f64;
-            let mut light = srgb_decode((level - 0.5) / 255.0) as f32;
-            while rounds_to_at_least(light.next_down(), level) {
-                light = light.next_down();
-            }
-            while !rounds_to_at_least(light, level) {
-                light = light.next_up();
-            }
-            light
-        })
+/// The curve as thresholds: a power per channel would cost more than rasterizing it.
+struct SrgbTable {
+    /// `thresholds[k - 1]` is the smallest light of level k, for k from 1 to 255.
+    thresholds: [f32; 255],
+    /// The level of the smallest light whose bits begin with the index.
+    start: Vec<u8>,
+}
+
+fn srgb_table() -> &'static SrgbTable {
+    static TABLE: OnceLock<SrgbTable> = OnceLock::new();
+    TABLE.get_or_init(|| {
+        let thresholds = std::array::from_fn(|index| srgb_threshold((index + 1) as f64));
+        let one = (1.0f32.to_bits() >> 16) as usize;
+        let level = |light: f32| thresholds.partition_point(|&threshold| threshold <= light) as u8;
+        let start = (0..=one).map(|bits| level(f32::from_bits((bits as u32) << 16))).collect();
+        SrgbTable { thresholds, start }
     })
+}
+
+/// The smallest light whose encoded value rounds to `level`: the curve is monotone, so there is one.
+fn srgb_threshold(level: f64) -> f32 {
+    let rounds_to_at_least = |light: f32| (srgb_encode(f64::from(light)) * 255.0).round() >= level;
+    let mut light = srgb_decode((level - 0.5) / 255.0) as f32;
+    while rounds_to_at_least(light.next_down()) {
+        light = light.next_down();
+    }
+    while !rounds_to_at_least(light) {
+        light = light.next_up();
+    }
+    light
 }
 
 #[cfg(test)]
