@@ -1,8 +1,10 @@
 //! farop: scenes in, a geometry stage that students can read, any rasterizer plugged in, honest answers out.
 
 pub mod color;
+pub mod diagnostic;
 pub mod image;
 pub mod math;
+pub mod parse;
 pub mod scene;
 
 pub use self::image::snapshot;

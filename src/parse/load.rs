@@ -1,0 +1,130 @@
+//! Opens scene files: by name or standard input, plain or gzip.
+//!
+//! path -LOAD-> bytes -input-> Source
+//!
+//! Gzip is recognized by its first two bytes, whatever the name says: files get renamed, bytes do not.
+
+use super::input::read_source;
+use super::{ParseOptions, Parsed, nff};
+use crate::diagnostic::{Diagnostic, Diagnostics, printable, suggest};
+use flate2::bufread::MultiGzDecoder;
+use std::fs::File;
+use std::io::{BufRead, BufReader, ErrorKind, stdin};
+use std::path::Path;
+
+/// The scene formats that are text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// Eric Haines' Neutral File Format.
+    Nff,
+}
+
+impl Format {
+    /// All formats, by the name that is also their file extension.
+    pub const ALL: [(&'static str, Format); 1] = [("nff", Format::Nff)];
+
+    /// The format of that name, case aside.
+    #[must_use]
+    pub fn by_name(name: &str) -> Option<Format> {
+        Format::ALL.into_iter().find(|(known, _)| known.eq_ignore_ascii_case(name)).map(|(_, format)| format)
+    }
+
+    /// The format a file name ends in; `.gz` behind it does not count.
+    #[must_use]
+    pub fn of_path(path: &Path) -> Option<Format> {
+        let is_gzip = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("gz"));
+        let path = if is_gzip { path.with_extension("") } else { path.to_path_buf() };
+        Format::by_name(path.extension()?.to_str()?)
+    }
+}
+
+/// Reads a scene file; `-` is standard input, whose format must be given. Without `format` the name's ending decides.
+///
+/// # Errors
+/// The file cannot be read, its format is not known, or its text has mistakes.
+pub fn load(path: &Path, format: Option<Format>, options: ParseOptions) -> Result<Parsed, Diagnostics> {
+    let name = printable(path.as_os_str().as_encoded_bytes());
+    if name == "-" {
+        let Some(format) = format else {
+            let error = Diagnostic::error("standard input has no name that says what format it is");
+            return Err(failure(error.help("add `--format nff`")));
+        };
+        return read("<stdin>", stdin().lock(), format, options);
+    }
+    // A file that is not there is told before a format that is not known.
+    let file = open(path, &name)?;
+    let Some(format) = format.or_else(|| Format::of_path(path)) else {
+        let error = Diagnostic::error(format!("`{name}` has no ending that says what format it is"));
+        return Err(failure(
+            error.help("known are `.nff` and `.nff.gz`; if it is NFF all the same, add `--format nff`"),
+        ));
+    };
+    read(&name, BufReader::new(file), format, options)
+}
+
+fn read(name: &str, mut reader: impl BufRead, format: Format, options: ParseOptions) -> Result<Parsed, Diagnostics> {
+    let start = reader.fill_buf();
+    let start = start.map_err(|error| failure(Diagnostic::error(format!("cannot read `{name}`: {error}"))))?;
+    let source = if start.starts_with(b"\x1F\x8B") {
+        read_source(name, MultiGzDecoder::new(reader))?
+    } else {
+        read_source(name, reader)?
+    };
+    match format {
+        Format::Nff => nff::read(&source, options),
+    }
+}
+
+/// Opens a file, or says what to do.
+fn open(path: &Path, name: &str) -> Result<File, Diagnostics> {
+    if path.is_dir() {
+        let error = Diagnostic::error(format!("`{name}` is a folder, not a scene file"));
+        return Err(failure(error.help("name a file in it")));
+    }
+    File::open(path).map_err(|error| {
+        failure(match error.kind() {
+            ErrorKind::NotFound => not_found(path, name),
+            ErrorKind::PermissionDenied => Diagnostic::error(format!("no permission to read `{name}`"))
+                .help("make the file readable for you, or copy it to where it is"),
+            _ => Diagnostic::error(format!("cannot open `{name}`: {error}")),
+        })
+    })
+}
+
+/// Names the file next to it that was probably meant.
+fn not_found(path: &Path, name: &str) -> Diagnostic {
+    let error = Diagnostic::error(format!("there is no file `{name}`"));
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let Ok(entries) = folder.read_dir() else {
+        return error.help(format!("there is no folder `{}` either", printable(folder.as_os_str().as_encoded_bytes())));
+    };
+    let most_names = 10_000;
+    let names = entries.take(most_names).flatten().filter_map(|entry| entry.file_name().into_string().ok());
+    let mut scenes: Vec<String> = names.filter(|name| Format::of_path(Path::new(name)).is_some()).collect();
+    scenes.sort();
+    let scenes: Vec<&str> = scenes.iter().map(String::as_str).collect();
+    let wanted = path.file_name().and_then(|wanted| wanted.to_str()).unwrap_or_default();
+    match suggest(wanted, &scenes) {
+        Some(similar) => error.help(format!("did you mean `{}`?", folder.join(similar).display())),
+        None => error.help("built-in scenes need no file: `spd:gears`"),
+    }
+}
+
+fn failure(error: Diagnostic) -> Diagnostics {
+    Diagnostics::without_source(error)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn endings_say_the_format() {
+        for name in ["a.nff", "a.b/c.NFF", "a.nff.gz", "a.NFF.GZ"] {
+            assert_eq!(Format::of_path(Path::new(name)), Some(Format::Nff), "{name}");
+        }
+        for name in ["a", "nff", "a.gz", ".nff", "a.nff.txt", ""] {
+            assert_eq!(Format::of_path(Path::new(name)), None, "{name}");
+        }
+    }
+}
