@@ -4,7 +4,10 @@ pub mod color;
 pub mod diagnostic;
 pub mod image;
 pub mod math;
+pub mod model;
 pub mod parse;
 pub mod scene;
+pub mod spd;
+pub mod write;
 
 pub use self::image::snapshot;

@@ -1,0 +1,101 @@
+//! Balls around things, for asking cheaply whether they can be in view at all.
+//!
+//! Why balls and not boxes: a turned ball is the same ball, so the test against the planes of the view needs one
+//! distance each. They are never too small; they may be a little too large.
+
+use super::segments::largest_stretch;
+use crate::math::{Affine3, Vec3};
+use crate::scene::{Mesh, Shape};
+
+/// All points within `radius` of `center`. An infinite radius holds everything.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ball {
+    /// Same space as what it bounds.
+    pub center: Vec3,
+    /// Not negative.
+    pub radius: f64,
+}
+
+impl Ball {
+    /// A ball that holds the image of this one.
+    #[must_use]
+    pub fn transformed(&self, target_from_source: &Affine3) -> Ball {
+        let center = target_from_source.transform_point3(self.center);
+        Ball { center, radius: self.radius * largest_stretch(target_from_source) }.rounded_outward()
+    }
+
+    /// Covers the rounding of the sums that made it; what is not a number holds everything.
+    fn rounded_outward(self) -> Ball {
+        let slack = 1e-15 * self.center.abs().max_element();
+        let radius = self.radius * (1.0 + 1e-14) + slack;
+        if radius.is_finite() && self.center.is_finite() {
+            Ball { radius, ..self }
+        } else {
+            Ball { center: Vec3::ZERO, radius: f64::INFINITY }
+        }
+    }
+}
+
+/// The ball around a shape: the sphere itself, or the smallest one around both end circles of a cone.
+#[must_use]
+pub fn bounding_ball(shape: &Shape) -> Ball {
+    match *shape {
+        Shape::Sphere { center, radius } => Ball { center, radius },
+        Shape::Cone { base, base_radius, apex, apex_radius } => {
+            // On the axis, as far from the one circle as from the other, unless one of them holds the other anyway.
+            let axis = apex - base;
+            let height_squared = axis.length_squared();
+            let difference = apex_radius * apex_radius - base_radius * base_radius;
+            let part = if height_squared > 0.0 { 0.5 + 0.5 * difference / height_squared } else { 0.0 };
+            let center = base + axis * part.clamp(0.0, 1.0);
+            let reach = |end: Vec3, radius: f64| ((end - center).length_squared() + radius * radius).sqrt();
+            Ball { center, radius: reach(base, base_radius).max(reach(apex, apex_radius)) }
+        }
+    }
+    .rounded_outward()
+}
+
+/// A ball around all vertices of a mesh, about the middle of their bounding box; `None` where there are none.
+#[must_use]
+pub fn bounding_ball_of_mesh(mesh: &Mesh) -> Option<Ball> {
+    let first = *mesh.vertices.first()?;
+    let (low, high) = mesh.vertices.iter().fold((first, first), |(low, high), &v| (low.min(v), high.max(v)));
+    let center = low + (high - low) * 0.5;
+    let farthest = mesh.vertices.iter().map(|&vertex| (vertex - center).length_squared()).fold(0.0, f64::max);
+    Some(Ball { center, radius: farthest.sqrt() }.rounded_outward())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{Detail, tessellate};
+
+    #[test]
+    fn balls_hold_their_shapes_and_touch_them() {
+        let (base, apex) = (Vec3::new(1.0, 2.0, 3.0), Vec3::new(-4.0, 0.5, 7.0));
+        for (base_radius, apex_radius) in [(1.0, 0.0), (2.0, 2.0), (0.5, 30.0)] {
+            let shape = Shape::Cone { base, base_radius, apex, apex_radius };
+            let mut mesh = Mesh::default();
+            tessellate(&shape, false, Detail::Segments(64), 0, &mut mesh);
+            for (map, tight) in [
+                (Affine3::IDENTITY, 1e-13),
+                (Affine3::from_rotation_x(0.3) * Affine3::from_scale(Vec3::new(1.0, -3.0, 0.1)), f64::INFINITY),
+            ] {
+                let ball = bounding_ball(&shape).transformed(&map);
+                let reach = mesh.vertices.iter().map(|&v| (map.transform_point3(v) - ball.center).length());
+                let reach = reach.fold(0.0, f64::max);
+                assert!(reach <= ball.radius && reach * (1.0 + tight) >= ball.radius, "{reach} {ball:?}");
+            }
+            let ball = bounding_ball_of_mesh(&mesh).expect("has vertices");
+            assert!(mesh.vertices.iter().all(|&v| (v - ball.center).length() <= ball.radius));
+        }
+        assert_eq!(bounding_ball_of_mesh(&Mesh::default()), None);
+    }
+
+    #[test]
+    fn what_overflows_holds_everything() {
+        let apex = Vec3::splat(1e300);
+        let shape = Shape::Cone { base: -apex, base_radius: 1e300, apex, apex_radius: 1.0 };
+        assert_eq!(bounding_ball(&shape).radius, f64::INFINITY);
+    }
+}

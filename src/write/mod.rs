@@ -1,0 +1,8 @@
+//! Writing scenes: what was read or generated, as text that others can read.
+//!
+//! Scene -WRITE-> text. The opposite direction of `parse`; it knows nothing of the view's pixels.
+
+mod nff;
+mod number;
+
+pub use nff::{POLYGONIZED_SEGMENTS, write_nff};
