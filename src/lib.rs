@@ -2,11 +2,15 @@
 
 pub mod color;
 pub mod diagnostic;
+pub mod geometry;
 pub mod image;
 pub mod math;
 pub mod model;
 pub mod parse;
+pub mod plan;
+pub mod report;
 pub mod scene;
+pub mod screen;
 pub mod spd;
 pub mod write;
 

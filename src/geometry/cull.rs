@@ -1,0 +1,95 @@
+//! Cull: which side of a polygon the eye sees.
+//!
+//! walk -> EyePolygon -> CULL -> clip
+//!
+//! Facing is decided once, here, before any vertex is snapped: snapping may turn a tiny polygon round, and deciding on
+//! snapped vertices would punch holes. The polygon's normal is Newell's; it faces away when the eye is not in front of
+//! its plane.
+//!
+//! Space: eye space, the eye at the origin. Eye space is left-handed, so the Newell normal of a polygon that runs
+//! counterclockwise for the viewer points *away* from the viewer.
+
+use crate::math::{Vec3, newell_normal};
+
+/// Which side of a polygon the eye sees.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Facing {
+    /// Its front.
+    Front {
+        /// Newell normal of the outline, eye space: away from the viewer, twice the area long.
+        newell: Vec3,
+    },
+    /// Its back.
+    Back {
+        /// Newell normal of the outline, eye space: towards the viewer.
+        newell: Vec3,
+    },
+    /// Neither: the eye lies in its plane, or it has no area.
+    EdgeOn,
+    /// A coordinate or the normal is not finite.
+    NotFinite,
+}
+
+impl Facing {
+    /// The side of `corners` (eye space) that an eye at the origin sees.
+    #[must_use]
+    pub fn of(corners: &[Vec3]) -> Facing {
+        let newell = newell_normal(corners);
+        let towards = corners.first().map_or(f64::NAN, |&corner| newell.dot(corner));
+        if !newell.is_finite() || !towards.is_finite() {
+            Facing::NotFinite
+        } else if towards > 0.0 {
+            Facing::Front { newell }
+        } else if towards < 0.0 {
+            Facing::Back { newell }
+        } else {
+            Facing::EdgeOn
+        }
+    }
+
+    /// The Newell normal of the outline, eye space; zero where there is none.
+    #[must_use]
+    pub fn newell(&self) -> Vec3 {
+        match *self {
+            Facing::Front { newell } | Facing::Back { newell } => newell,
+            Facing::EdgeOn | Facing::NotFinite => Vec3::ZERO,
+        }
+    }
+
+    /// Whether the eye sees the back.
+    #[must_use]
+    pub fn is_back(&self) -> bool {
+        matches!(self, Facing::Back { .. })
+    }
+
+    /// The unit normal on the side that the eye sees.
+    #[must_use]
+    pub fn normal_towards_eye(&self) -> Vec3 {
+        match *self {
+            Facing::Front { newell } => crate::math::unit(-newell).unwrap_or(Vec3::NEG_Z),
+            Facing::Back { newell } => crate::math::unit(newell).unwrap_or(Vec3::NEG_Z),
+            Facing::EdgeOn | Facing::NotFinite => Vec3::NEG_Z,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counterclockwise_for_the_viewer_is_the_front() {
+        let mut corners = [Vec3::new(0.0, 0.0, 5.0), Vec3::new(1.0, 0.0, 5.0), Vec3::new(0.0, 1.0, 5.0)];
+        assert!(matches!(Facing::of(&corners), Facing::Front { .. }));
+        assert_eq!(Facing::of(&corners).normal_towards_eye(), Vec3::NEG_Z);
+        corners.reverse();
+        assert!(Facing::of(&corners).is_back());
+        assert_eq!(Facing::of(&corners).normal_towards_eye(), Vec3::NEG_Z);
+    }
+
+    #[test]
+    fn a_plane_through_the_eye_is_seen_edge_on() {
+        let corners = [Vec3::new(0.0, 0.0, 5.0), Vec3::new(0.0, 1.0, 5.0), Vec3::new(0.0, 0.0, 9.0)];
+        assert_eq!(Facing::of(&corners), Facing::EdgeOn);
+    }
+}

@@ -1,0 +1,275 @@
+//! The geometry stage: from the scene to polygons on the screen, in the order of FAROP's figure 4.
+//!
+//! Scene + Plan -walk-> EyePolygon -CULL, CLIP-> ClippedPolygon -LIGHT, SPLIT, PROJECT-> ScreenPolygon
+//!
+//! [`run`] is the loop of figure 4; every step is a function of its own in a file of its own. FAROP lights after
+//! clipping; here, by default, the vertices of the scene are lit and a cut vertex takes its light from the two ends of
+//! its edge, because otherwise colors change as the camera moves. `--clip-light relight` is FAROP's order.
+//!
+//! Space: eye space (x right, y up, z along the view, left-handed) until clipping, then clip space (x, y, w) with the
+//! sides of the picture at x = +-w and y = +-w, then samples.
+//! Source: Pereira, "FAROP", IST/INESC 1996, section 4.3.2.
+//! Cost: linear in vertices; nothing is allocated per polygon, vertices shared inside a surface are moved and lit once.
+
+pub mod clip;
+mod cull;
+mod flatten;
+mod light;
+pub mod predicates;
+mod project;
+pub mod split;
+mod trace;
+mod walk;
+
+pub use cull::Facing;
+pub use flatten::flatten;
+pub use trace::{ClippedPolygon, EyePolygon, Trace};
+
+use crate::math::{Affine3, Vec3};
+use crate::model;
+use crate::plan::{Culling, Plan, Split};
+use crate::report::Counts;
+use crate::scene::{Mesh, NormalSource, Polygon, Scene, Surface};
+use crate::screen::{DrawList, Source};
+use light::Lighting;
+use project::Projector;
+use walk::{EyeMesh, Tessellator};
+
+/// Runs the whole stage: fills `list` with the screen polygons of `scene` under `plan`, in scene order.
+///
+/// `list` is emptied first and keeps its memory, so that a walk through a scene allocates nothing after its first frame.
+pub fn run(scene: &Scene, plan: &Plan, list: &mut DrawList) -> Counts {
+    Geometry::new(scene, plan, list, None).run()
+}
+
+/// As [`run`], and keeps the value of every stage for every polygon: `--dump-stage` prints them.
+pub fn run_traced(scene: &Scene, plan: &Plan, list: &mut DrawList, trace: &mut Trace) -> Counts {
+    Geometry::new(scene, plan, list, Some(trace)).run()
+}
+
+/// The stage at work: what it reads, what it fills, and memory that polygons take turns in.
+struct Geometry<'a> {
+    scene: &'a Scene,
+    plan: &'a Plan,
+    list: &'a mut DrawList,
+    trace: Option<&'a mut Trace>,
+    counts: Counts,
+    projector: Projector,
+    lighting: Lighting,
+    /// Vertices of the surface in hand, in eye space.
+    surface_mesh: EyeMesh,
+    /// Vertices of the shape in hand.
+    shape_mesh: EyeMesh,
+    tessellator: Tessellator,
+    polygon: Corners,
+    clipper: clip::Clipper,
+}
+
+/// The polygon in hand: its corners in eye space, and what varies at them.
+#[derive(Default)]
+struct Corners {
+    /// Indices into the mesh; the first is the file's first.
+    outline: Vec<u32>,
+    eye: Vec<Vec3>,
+    clip: Vec<clip::ClipVertex>,
+}
+
+/// What the steps need to know of the surface or shape a polygon belongs to.
+#[derive(Clone, Copy)]
+struct Part<'a> {
+    mesh: &'a Mesh,
+    surface: &'a Surface,
+    /// Index of the surface in the shader.
+    shading: u32,
+    /// The transform mirrors: outlines run the other way round.
+    mirrored: bool,
+    tessellated: bool,
+}
+
+impl<'a> Geometry<'a> {
+    fn new(scene: &'a Scene, plan: &'a Plan, list: &'a mut DrawList, trace: Option<&'a mut Trace>) -> Self {
+        let projector = Projector::new(plan);
+        projector.prepare(plan, list);
+        Geometry {
+            scene,
+            plan,
+            list,
+            trace,
+            counts: Counts::default(),
+            projector,
+            lighting: Lighting::new(plan),
+            surface_mesh: EyeMesh::default(),
+            shape_mesh: EyeMesh::default(),
+            tessellator: Tessellator::default(),
+            polygon: Corners::default(),
+            clipper: clip::Clipper::default(),
+        }
+    }
+
+    fn run(mut self) -> Counts {
+        self.lighting.prepare(self.scene, self.plan, &mut self.list.shader);
+        let scene = self.scene;
+        // The plan has walked the same tree within its budget.
+        let walked = scene.walk(|placed| {
+            self.counts.objects += 1;
+            for &id in &placed.object.surfaces {
+                self.surface(scene.surface(id), &placed.world_from_local);
+            }
+        });
+        debug_assert!(walked.is_ok());
+        self.counts.work.vertices_lit = self.lighting.vertices_lit;
+        self.counts.work.specular_powers = self.list.shader.powers();
+        self.counts
+    }
+
+    /// One surface: its polygons and its shapes, in file order.
+    fn surface(&mut self, surface: &Surface, world_from_local: &Affine3) {
+        let shading = self.lighting.push_surface(&surface.material, surface.place, &mut self.list.shader);
+        let mirrored = model::mirrors(world_from_local);
+        self.counts.surfaces += 1;
+        self.counts.vertices += surface.mesh.vertices.len() as u64;
+        // Move shared vertices to eye space, once.
+        let mut eye_mesh = std::mem::take(&mut self.surface_mesh);
+        eye_mesh.fill(&surface.mesh, world_from_local, self.plan, &mut self.counts.work);
+        let part = Part { mesh: &surface.mesh, surface, shading, mirrored, tessellated: false };
+        let mut next = 0;
+        for (number, primitive) in surface.primitives.iter().enumerate() {
+            self.polygons(part, &mut eye_mesh, next..primitive.before as usize);
+            next = primitive.before as usize;
+            self.shape(part, number, world_from_local);
+        }
+        self.polygons(part, &mut eye_mesh, next..surface.mesh.polygons.len());
+        self.surface_mesh = eye_mesh;
+    }
+
+    /// A sphere or cone: turned into polygons for this view, or left out when the view does not see it.
+    fn shape(&mut self, of: Part<'_>, number: usize, world_from_local: &Affine3) {
+        let mut tessellator = std::mem::take(&mut self.tessellator);
+        let mut eye_mesh = std::mem::take(&mut self.shape_mesh);
+        let primitive = &of.surface.primitives[number];
+        if tessellator.tessellate(primitive, world_from_local, self.plan, &mut self.counts.work) {
+            eye_mesh.fill(&tessellator.mesh, world_from_local, self.plan, &mut self.counts.work);
+            let part = Part { mesh: &tessellator.mesh, tessellated: true, ..of };
+            self.polygons(part, &mut eye_mesh, 0..tessellator.mesh.polygons.len());
+        }
+        self.tessellator = tessellator;
+        self.shape_mesh = eye_mesh;
+    }
+
+    fn polygons(&mut self, part: Part<'_>, eye_mesh: &mut EyeMesh, range: std::ops::Range<usize>) {
+        for number in range {
+            let polygon = &part.mesh.polygons[number];
+            let source = Source { line: polygon.line, number: number as u32, tessellated: part.tessellated };
+            self.polygon(part, eye_mesh, polygon, source);
+        }
+    }
+
+    /// The inner loop of FAROP's figure 4, for one polygon.
+    fn polygon(&mut self, part: Part<'_>, eye_mesh: &mut EyeMesh, polygon: &Polygon, source: Source) {
+        let mut corners = std::mem::take(&mut self.polygon);
+        corners.collect(part, eye_mesh, polygon);
+        self.counts.add_polygon(part.tessellated);
+        if let Some(facing) = self.cull(part, &corners, source) {
+            self.clip_light_split_project(part, eye_mesh, (polygon.normals, facing, source), &mut corners);
+        }
+        self.polygon = corners;
+    }
+
+    /// Cull: which way the polygon faces, or `None` when it is dropped.
+    fn cull(&mut self, part: Part<'_>, corners: &Corners, source: Source) -> Option<Facing> {
+        let facing = Facing::of(&corners.eye);
+        if let Some(trace) = self.trace.as_deref_mut() {
+            trace.eye.push(EyePolygon { source, corners: corners.eye.clone(), facing });
+        }
+        let two_sided = match self.plan.choices.culling {
+            Culling::Back => false,
+            Culling::Nff => !part.surface.material.is_opaque(),
+            Culling::None => true,
+        };
+        match facing {
+            Facing::NotFinite => self.counts.skipped += 1,
+            Facing::Back { .. } | Facing::EdgeOn if !two_sided => self.counts.add_backfacing(part.tessellated),
+            // Seen exactly edge-on it covers nothing, and its depth has no plane.
+            Facing::EdgeOn => self.counts.skipped += 1,
+            Facing::Front { .. } | Facing::Back { .. } => return Some(facing),
+        }
+        None
+    }
+
+    fn clip_light_split_project(
+        &mut self,
+        part: Part<'_>,
+        eye_mesh: &mut EyeMesh,
+        (normals, facing, source): (NormalSource, Facing, Source),
+        corners: &mut Corners,
+    ) {
+        // Clip: what the outcodes of the corners can decide.
+        let (any, all) = eye_mesh.outcodes(&corners.outline);
+        if all != 0 {
+            self.counts.add_clipped(part.tessellated);
+            return;
+        }
+        // Light: at the vertices of the scene (with `relight`, normals take the place of light until clipping is done).
+        let count = self.lighting.light_corners(part, eye_mesh, (normals, facing), corners, &mut self.list.shader);
+        corners.place_in_clip_space(self.projector.clip_from_eye);
+        // Clip: cut what reaches over a plane.
+        let volume = clip::ClipVolume { hither: self.plan.view.hither, yon: Some(self.plan.view.yon) };
+        let clipped: &mut Vec<_> = &mut self.projector.clipped;
+        clipped.clear();
+        if any == 0 {
+            clipped.extend_from_slice(&corners.clip);
+        } else {
+            match self.clipper.clip(&corners.clip, &volume, count) {
+                clip::Clipped::Inside => clipped.extend_from_slice(&corners.clip),
+                clip::Clipped::Cut(vertices) => clipped.extend_from_slice(vertices),
+                clip::Clipped::Outside => return self.counts.add_clipped(part.tessellated),
+                clip::Clipped::NotFinite => {
+                    self.counts.skipped += 1;
+                    return;
+                }
+            }
+        }
+        self.counts.add_rendered(part.tessellated, any != 0, clipped.len());
+        if let Some(trace) = self.trace.as_deref_mut() {
+            trace.clipped.push(ClippedPolygon { source, vertices: clipped.clone() });
+        }
+        self.lighting.relight(
+            part.shading,
+            &mut self.projector.clipped,
+            self.projector.clip_from_eye,
+            &mut self.list.shader,
+        );
+        // Split and project.
+        let affine = self.lighting.is_affine(&corners.clip, &self.projector.clipped);
+        let split = match self.plan.needs.split {
+            Split::All => true,
+            Split::NotAffine => !affine,
+            Split::None => false,
+        };
+        let from_clipped = self.lighting.belongs_to_clipped();
+        let outline = project::Outline { corners: &corners.clip, from_clipped, newell: facing.newell(), affine };
+        let report = self.projector.emit(&outline, split, (part.shading, source), self.list);
+        self.counts.split += u64::from(split && self.projector.clipped.len() > 3);
+        self.counts.forced_ears += report.forced as u64;
+    }
+}
+
+impl Corners {
+    /// Looks up the corners of `polygon`; a mirroring transform turns the outline round, the first vertex stays first.
+    fn collect(&mut self, part: Part<'_>, eye_mesh: &EyeMesh, polygon: &Polygon) {
+        self.outline.clear();
+        self.outline.extend_from_slice(part.mesh.outline(polygon));
+        if part.mirrored {
+            self.outline[1..].reverse();
+        }
+        self.eye.clear();
+        self.eye.extend(self.outline.iter().map(|&index| eye_mesh.positions[index as usize]));
+    }
+
+    /// Writes the positions of the corners, in clip space, beside what varies at them.
+    fn place_in_clip_space(&mut self, (kx, ky): (f64, f64)) {
+        for (vertex, eye) in self.clip.iter_mut().zip(&self.eye) {
+            vertex.position = Vec3::new(eye.x * kx, eye.y * ky, eye.z);
+        }
+    }
+}

@@ -1,0 +1,147 @@
+//! Walk: the vertices of a surface, moved to eye space and classified, once each.
+//!
+//! Scene -> WALK -> EyePolygon -> cull
+//!
+//! Why once: gears' 144-gons and teapot's triangles share vertices; moving, classifying and lighting a shared vertex
+//! again for each polygon would be the largest cost of the stage.
+//! Why an outcode: one bit a plane, set where the vertex lies outside. The AND over a polygon's corners tells that it is
+//! wholly outside one plane, the OR which planes it crosses; only those are ever cut.
+//!
+//! Space: local -> world -> (world - eye) -> eye space, in f64.
+
+use crate::math::{Affine3, Mat3, Vec3, unit};
+use crate::model::segments::Lens;
+use crate::model::{self, Detail};
+use crate::plan::{ClipPlane, Plan, View, is_outside};
+use crate::report::Work;
+use crate::scene::{Mesh, NormalSource, Primitive, Shape};
+
+/// The vertices of a [`Mesh`] in eye space.
+#[derive(Default)]
+pub(super) struct EyeMesh {
+    pub positions: Vec<Vec3>,
+    /// Unit normals on the front side; zero where none is given. Empty where nothing needs them.
+    pub normals: Vec<Vec3>,
+    /// Bits of the planes a vertex lies outside of; empty where no plane needs testing.
+    codes: Vec<u8>,
+    /// Light of a vertex seen from the front and from the back, once it was asked for.
+    pub lit: [Vec<Option<crate::color::Rgb>>; 2],
+    averaged: Vec<Vec3>,
+}
+
+impl EyeMesh {
+    /// Moves every vertex of `mesh` to eye space and computes what the plan needs of it.
+    pub fn fill(&mut self, mesh: &Mesh, world_from_local: &Affine3, plan: &Plan, work: &mut Work) {
+        let view = &plan.view;
+        self.positions.clear();
+        let local = mesh.vertices.iter();
+        self.positions.extend(local.map(|&vertex| view.to_eye(world_from_local.transform_point3(vertex))));
+        work.vertices_transformed += mesh.vertices.len() as u64;
+        self.classify(view, plan.needs.clip, work);
+        self.lit.iter_mut().for_each(|side| {
+            side.clear();
+            side.resize(if plan.needs.light { mesh.vertices.len() } else { 0 }, None);
+        });
+        self.normals.clear();
+        if plan.needs.light {
+            self.turn_normals(mesh, world_from_local, view, work);
+        }
+    }
+
+    /// OR and AND of the outcodes of `outline`.
+    pub fn outcodes(&self, outline: &[u32]) -> (u8, u8) {
+        if self.codes.is_empty() {
+            return (0, 0);
+        }
+        outline
+            .iter()
+            .map(|&index| self.codes[index as usize])
+            .fold((0, 0xFF), |(any, all), code| (any | code, all & code))
+    }
+
+    fn classify(&mut self, view: &View, planes: u8, work: &mut Work) {
+        self.codes.clear();
+        if planes == 0 {
+            return;
+        }
+        let (kx, ky) = view.clip_from_eye();
+        work.plane_tests += self.positions.len() as u64 * u64::from(planes.count_ones());
+        self.codes.extend(self.positions.iter().map(|eye| {
+            // The same products as the clipper sees, so that both agree on what lies on a plane.
+            let (x, y, w) = (eye.x * kx, eye.y * ky, eye.z);
+            let outside = [w < view.hither, x < -w, x > w, y < -w, y > w, w > view.yon];
+            let bits = ClipPlane::ALL.into_iter().zip(outside).filter(|&(_, outside)| outside);
+            bits.fold(0, |code, (plane, _)| code | plane.bit()) & planes
+        }));
+    }
+
+    fn turn_normals(&mut self, mesh: &Mesh, world_from_local: &Affine3, view: &View, work: &mut Work) {
+        let averaged = mesh.polygons.iter().any(|polygon| polygon.normals == NormalSource::Averaged);
+        if averaged {
+            model::averaged_normals(mesh, &mut self.averaged);
+        }
+        // A given normal is the file's word; the mean is for vertices without one.
+        for (mean, &given) in self.averaged.iter_mut().zip(&mesh.normals).filter(|(_, given)| **given != Vec3::ZERO) {
+            *mean = given;
+        }
+        let normals = if averaged { &self.averaged } else { &mesh.normals };
+        // Only directions matter: a normal that a singular map leaves without one is given up for the polygon's own.
+        let identity = world_from_local.matrix3 == Mat3::IDENTITY;
+        let world_normals = model::normals_from(world_from_local).unwrap_or(Mat3::ZERO);
+        let to_eye = |&normal: &Vec3| view.eye_from_world * turned(normal, &world_normals, identity);
+        self.normals.extend(normals.iter().map(to_eye));
+        work.normals += self.normals.len() as u64;
+    }
+}
+
+/// A normal in world space; under the identity the very same bits.
+fn turned(normal: Vec3, world_normals: &Mat3, identity: bool) -> Vec3 {
+    if identity || normal == Vec3::ZERO { normal } else { unit(*world_normals * normal).unwrap_or(Vec3::ZERO) }
+}
+
+/// Turns shapes into polygons, fine enough for the view; keeps its memory from shape to shape.
+#[derive(Default)]
+pub(super) struct Tessellator {
+    pub mesh: Mesh,
+}
+
+impl Tessellator {
+    /// Fills `mesh` with the polygons of `primitive`; `false` when it lies outside the view and nothing asks for it.
+    pub fn tessellate(
+        &mut self,
+        primitive: &Primitive,
+        world_from_local: &Affine3,
+        plan: &Plan,
+        work: &mut Work,
+    ) -> bool {
+        self.mesh.clear();
+        if !plan.needs.shapes_outside && is_outside(&primitive.shape, world_from_local, &plan.view) {
+            work.shapes_outside += 1;
+            return false;
+        }
+        let detail = detail(&primitive.shape, world_from_local, plan);
+        model::tessellate(&primitive.shape, primitive.inside, detail, primitive.line, &mut self.mesh);
+        work.shape_vertices += self.mesh.vertices.len() as u64;
+        true
+    }
+}
+
+/// How finely a shape is cut up: as the user fixed it, or so that its silhouette is within the tolerance.
+pub(super) fn detail(shape: &Shape, world_from_local: &Affine3, plan: &Plan) -> Detail {
+    plan.choices
+        .resolution
+        .map_or_else(|| Detail::Segments(segments(shape, world_from_local, plan)), Detail::Resolution)
+}
+
+fn segments(shape: &Shape, world_from_local: &Affine3, plan: &Plan) -> u32 {
+    let view = &plan.view;
+    let (half_width, half_height) = view.half();
+    let corner_tangent_squared = (half_width * half_width + half_height * half_height) / (view.scale * view.scale);
+    let lens = Lens {
+        // The tolerance is in pixels of the final picture, not in samples.
+        pixels_per_unit_tangent: view.scale / f64::from(view.samples),
+        hither: view.hither,
+        corner_cosine: 1.0 / (1.0 + corner_tangent_squared).sqrt(),
+    };
+    model::segments::segments(shape, &(view.eye_from_world_affine() * *world_from_local), &lens, plan.choices.tolerance)
+}

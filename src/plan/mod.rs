@@ -1,0 +1,129 @@
+//! The plan: what a scene needs and what the user chose, decided once, read by every later stage.
+//!
+//! Scene + choices + what the rasterizer takes -PLAN-> geometry, rasterizer, target
+//!
+//! Why a stage of its own: "model only what a scene requires" is only honest when it is said in one place, with its
+//! reason, and when doing everything all the same (`--needs full`) is proven to give the same bytes.
+//! Source: FAROP's diagnostics (appendix A.3 of the paper) told what had been done; the plan tells it before.
+
+mod choices;
+mod error;
+mod explain;
+mod needs;
+mod view;
+
+pub use choices::{
+    AngleSpan, Choices, ClipLight, Culling, DepthFormat, Interpolation, LightTerms, NeedsMode, Shading, Transparency,
+};
+pub use error::PlanError;
+pub use explain::PlanRow;
+pub use needs::{ClipPlane, Needs, Split, Survey, is_outside};
+pub use view::View;
+
+use crate::scene::Scene;
+
+/// The polygons a rasterizer can take; the plan splits the others into triangles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Accepts {
+    /// Any simple polygon, convex or not.
+    AnyPolygon,
+    /// Triangles only.
+    Triangles,
+}
+
+/// What numbers that interpolation carries from the vertices into a polygon; chosen once per list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Varying {
+    /// Nothing: wire.
+    Nothing,
+    /// Red, green, blue: flat and Gouraud.
+    Color,
+    /// Unit normal and point in eye space, three numbers each: Phong.
+    NormalEye,
+}
+
+impl Varying {
+    /// How many numbers that is.
+    #[must_use]
+    pub fn count(self) -> usize {
+        match self {
+            Varying::Nothing => 0,
+            Varying::Color => 3,
+            Varying::NormalEye => 6,
+        }
+    }
+}
+
+/// Everything later stages read: the view, the choices, the needs, the light levels.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// Eye space and the scale to samples.
+    pub view: View,
+    /// What the user chose.
+    pub choices: Choices,
+    /// What the scene needs under these choices.
+    pub needs: Needs,
+    /// What was counted in the scene to derive the needs.
+    pub survey: Survey,
+    /// Intensity of the ambient light.
+    pub ambient: f64,
+    /// Intensity of every light that has none of its own.
+    pub light_intensity: f64,
+    /// What the rasterizer takes.
+    pub accepts: Accepts,
+}
+
+impl Plan {
+    /// Decides what `scene` needs under `choices` for a rasterizer that takes `accepts`.
+    ///
+    /// # Errors
+    /// [`PlanError`] when the scene has no usable view or the choices contradict each other.
+    pub fn new(scene: &Scene, choices: &Choices, accepts: Accepts) -> Result<Plan, PlanError> {
+        check(choices)?;
+        let camera = scene.camera.as_ref().ok_or(PlanError::NoCamera)?;
+        let view = View::new(camera, choices)?;
+        if matches!(choices.depth, DepthFormat::Int16 | DepthFormat::Int24) && view.yon.is_infinite() {
+            return Err(PlanError::IntegerDepthNeedsYon(choices.depth.name()));
+        }
+        // The suggestion that comes with the standard procedural databases: n lights and the ambient, sqrt(n)/(2n) each.
+        let lights = scene.lights.iter().filter(|light| light.intensity.is_none()).count();
+        let suggested = if lights == 0 { 1.0 } else { (lights as f64).sqrt() / (2.0 * lights as f64) };
+        let survey = Survey::new(scene, &view)?;
+        let needs = match choices.needs {
+            NeedsMode::Derived => Needs::derive(&survey, choices, accepts),
+            NeedsMode::Full => Needs::full(choices, accepts),
+        };
+        Ok(Plan {
+            view,
+            choices: choices.clone(),
+            needs,
+            survey,
+            ambient: choices.ambient.unwrap_or(suggested),
+            light_intensity: choices.light_intensity.unwrap_or(suggested),
+            accepts,
+        })
+    }
+
+    /// What interpolation carries under this shading.
+    #[must_use]
+    pub fn varying(&self) -> Varying {
+        match self.choices.shading {
+            Shading::Gouraud | Shading::Flat => Varying::Color,
+            Shading::Phong => Varying::NormalEye,
+            Shading::Wire => Varying::Nothing,
+        }
+    }
+}
+
+fn check(choices: &Choices) -> Result<(), PlanError> {
+    if choices.subpixel_bits > 16 {
+        return Err(PlanError::SubpixelBits(choices.subpixel_bits));
+    }
+    if !(choices.tolerance > 0.0 && choices.tolerance.is_finite()) {
+        return Err(PlanError::Tolerance(choices.tolerance));
+    }
+    if let Some(resolution) = choices.resolution.filter(|&resolution| resolution == 0 || resolution > 1000) {
+        return Err(PlanError::Resolution(resolution));
+    }
+    Ok(())
+}

@@ -1,0 +1,94 @@
+//! The v2 screen file: a draw list, whole, as text.
+//!
+//! DrawList -WRITE-> text -READ-> DrawList, equal to the last bit
+//!
+//! Every number has the shortest digits that read back to the same bits. So a picture of the file is the picture of the
+//! list, byte for byte, whatever the shading: a Phong list holds normals, eye points, surfaces and lights.
+//!
+//! A file is a head ([`super::header`]), then records ([`super::records`]), then `end`:
+//! lights, surfaces, and every polygon with its planes and vertices.
+
+use super::header::{self, Header};
+use super::records;
+use super::words::{Layout, Words};
+use super::{Kind, ReadOptions, ScreenFile, ScreenFileError, ScreenWriteError, Sheet};
+use crate::plan::Varying;
+use crate::screen::DrawList;
+use std::io::{BufWriter, Write};
+
+/// The first word of a v2 file.
+pub(super) const NAME: &str = "farop-screen";
+
+/// What is asked to be at the vertices of a v2 file (`--attributes`). None of it: what the list carries.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Attributes {
+    /// Colors; in a list of normals they are lit and stand behind normal and eye point.
+    pub color: bool,
+    /// Normals and eye points.
+    pub phong: bool,
+    /// Texture coordinates.
+    pub texture: bool,
+}
+
+impl Attributes {
+    /// Attributes from names: `color`, `phong`, `texture`, with commas between. `None` for any other name.
+    #[must_use]
+    pub fn from_names(names: &str) -> Option<Attributes> {
+        names.split(',').try_fold(Attributes::default(), |attributes, name| match name.trim() {
+            "color" => Some(Attributes { color: true, ..attributes }),
+            "phong" => Some(Attributes { phong: true, ..attributes }),
+            "texture" => Some(Attributes { texture: true, ..attributes }),
+            _ => None,
+        })
+    }
+
+    /// Whether vertices of `list` get colors besides what varies.
+    pub(super) fn adds_color(self, list: &DrawList) -> bool {
+        self.color && list.varying == Varying::NormalEye
+    }
+
+    /// Whether `list` has what is asked for.
+    fn check(self, list: &DrawList) -> Result<(), ScreenWriteError> {
+        match list.varying {
+            _ if self.texture => Err(ScreenWriteError::NoTexture),
+            Varying::Color | Varying::Nothing if self.phong => Err(ScreenWriteError::NoNormals),
+            Varying::Nothing if self.color => Err(ScreenWriteError::NoColors),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// Writes `list` as a v2 file.
+///
+/// # Errors
+/// [`ScreenWriteError`] when the list does not carry the `attributes`, and whatever `out` says.
+pub fn write_v2(
+    list: &DrawList,
+    sheet: &Sheet,
+    attributes: Attributes,
+    out: &mut dyn Write,
+) -> Result<(), ScreenWriteError> {
+    attributes.check(list)?;
+    let mut out = BufWriter::new(out);
+    header::write(list, sheet, attributes, &mut out)?;
+    for light in &list.shader.lights {
+        records::write_light(light, &mut out)?;
+    }
+    for (index, surface) in list.shader.surfaces.iter().enumerate() {
+        records::write_surface(index, surface, &mut out)?;
+    }
+    for polygon in list.polygons() {
+        records::write_polygon(list, &polygon, attributes.adds_color(list), &mut out)?;
+    }
+    writeln!(out, "end")?;
+    Ok(out.flush()?)
+}
+
+/// Reads a v2 file.
+pub(super) fn read_v2(text: &str, options: &ReadOptions) -> Result<ScreenFile, ScreenFileError> {
+    let mut words = Words::new(text, Layout::Records);
+    let mut header = header::read(&mut words, options)?;
+    records::read_body(&mut words, &mut header)?;
+    let Header { list, sheet, .. } = header;
+    Ok(ScreenFile { kind: Kind::V2, list, sheet })
+}

@@ -1,0 +1,197 @@
+//! The one reflection model: what light a point of a surface sends to the eye.
+//!
+//! Used by the geometry stage at vertices (flat, Gouraud) and by every rasterizer at samples (Phong), so that both
+//! mean the same by "light".
+//!
+//! color = Ka Ia C + Kd C sum(Ii max(0, N.L)) + Ks sum(Ii max(0, R.V)^n), highlights only where N.L > 0.
+//!
+//! Space: eye space; the eye is the origin. Colors are linear light.
+//! Source: Phong, "Illumination for Computer Generated Pictures", CACM 18(6), 1975, 311-317; coefficients as in NFF.
+//! Cost: per light one square root, and one power where Ks > 0.
+
+use super::{Fragment, ScreenPolygon};
+use crate::color::Rgb;
+use crate::math::{Vec3, pow, unit};
+use crate::scene::Place;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Turns interpolated values into color: the lights and surfaces of one picture, in eye space.
+#[derive(Debug, Default)]
+pub struct Shader {
+    /// Point lights.
+    pub lights: Vec<EyeLight>,
+    /// One entry a placed surface.
+    pub surfaces: Vec<SurfaceShading>,
+    /// Highlights are computed even where Ks is 0.
+    pub specular_everywhere: bool,
+    /// Color of lines, which have no light.
+    pub line_color: Rgb<f32>,
+    /// How many cosine powers were computed: the plan's "not needed" is checked against it.
+    powers: AtomicU64,
+}
+
+/// A point light in eye space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EyeLight {
+    /// Eye space.
+    pub position: Vec3,
+    /// Light color times intensity.
+    pub color: Rgb,
+}
+
+/// A material made ready: colors decoded and multiplied by their coefficients.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SurfaceShading {
+    /// Ka Ia C.
+    pub ambient: Rgb,
+    /// Kd C.
+    pub diffuse: Rgb,
+    /// Ks.
+    pub specular: f64,
+    /// Cosine power.
+    pub shine: f64,
+    /// Per channel.
+    pub opacity: Rgb<f32>,
+    /// Where the surface was declared.
+    pub place: Place,
+}
+
+impl Shader {
+    /// Light that the point `eye` of a surface with unit normal `normal` sends to the eye, which stands at the origin.
+    ///
+    /// Not clamped: a value above 1 is brighter than the display and is cut once, when the picture is written.
+    /// A light exactly at the point has no direction and adds nothing.
+    #[must_use]
+    pub fn light(&self, surface: u32, eye: Vec3, normal: Vec3) -> Rgb {
+        let surface = &self.surfaces[surface as usize];
+        let view = unit(-eye).unwrap_or(normal);
+        let has_highlight = surface.specular > 0.0 || self.specular_everywhere;
+        let (mut diffuse, mut specular) = (Rgb::BLACK, Rgb::BLACK);
+        for light in &self.lights {
+            let Some(to_light) = unit(light.position - eye) else { continue };
+            let cosine = normal.dot(to_light);
+            if cosine <= 0.0 {
+                continue;
+            }
+            diffuse += light.color * cosine;
+            if has_highlight {
+                specular += light.color * self.highlight(normal, to_light, view, surface.shine);
+            }
+        }
+        surface.ambient + surface.diffuse * diffuse + specular * surface.specular
+    }
+
+    /// max(0, R.V)^n, where R is the light's direction mirrored at the normal.
+    fn highlight(&self, normal: Vec3, to_light: Vec3, view: Vec3, shine: f64) -> f64 {
+        let mirrored = normal * (2.0 * normal.dot(to_light)) - to_light;
+        // Rounding may give a cosine just above 1; a large power would make light out of it.
+        let cosine = mirrored.dot(view).clamp(0.0, 1.0);
+        if cosine == 0.0 && shine > 0.0 {
+            return 0.0;
+        }
+        self.powers.fetch_add(1, Ordering::Relaxed);
+        pow(cosine, shine)
+    }
+
+    /// The fragment of `polygon` at sample (x, y): depth, color and opacity by the contract's definition.
+    #[must_use]
+    pub fn fragment(&self, polygon: &ScreenPolygon<'_>, x: i32, y: i32) -> Fragment {
+        let color = self.color(polygon, &polygon.values(x, y));
+        Fragment { color, opacity: self.opacity(polygon), ..polygon.bare_fragment(x, y) }
+    }
+
+    /// The color of interpolated `values`: themselves, or for normal and eye point the light there.
+    #[must_use]
+    pub fn color(&self, polygon: &ScreenPolygon<'_>, values: &[f64]) -> Rgb<f32> {
+        match *values {
+            [r, g, b] => Rgb::new(r as f32, g as f32, b as f32),
+            [nx, ny, nz, ex, ey, ez] => {
+                // Interpolated normals are shorter than 1 between the vertices.
+                let normal = unit(Vec3::new(nx, ny, nz)).unwrap_or(Vec3::NEG_Z);
+                self.light(polygon.surface(), Vec3::new(ex, ey, ez), normal).to_f32()
+            }
+            _ => self.line_color,
+        }
+    }
+
+    /// The opacity of the polygon's surface.
+    #[must_use]
+    pub fn opacity(&self, polygon: &ScreenPolygon<'_>) -> Rgb<f32> {
+        self.surfaces.get(polygon.surface() as usize).map_or(Rgb::gray(1.0), |surface| surface.opacity)
+    }
+
+    /// Cosine powers computed so far.
+    #[must_use]
+    pub fn powers(&self) -> u64 {
+        self.powers.load(Ordering::Relaxed)
+    }
+
+    /// Adds an opaque surface that no light reaches, and returns its index.
+    pub fn push_unlit_surface(&mut self) -> u32 {
+        let (specular, shine) = (0.0, 0.0);
+        let (ambient, diffuse, opacity) = (Rgb::BLACK, Rgb::BLACK, Rgb::gray(1.0));
+        self.surfaces.push(SurfaceShading { ambient, diffuse, specular, shine, opacity, place: Place::default() });
+        (self.surfaces.len() - 1) as u32
+    }
+}
+
+impl Clone for Shader {
+    fn clone(&self) -> Self {
+        Shader {
+            lights: self.lights.clone(),
+            surfaces: self.surfaces.clone(),
+            specular_everywhere: self.specular_everywhere,
+            line_color: self.line_color,
+            powers: AtomicU64::new(self.powers()),
+        }
+    }
+}
+
+impl PartialEq for Shader {
+    /// Equal pictures; how much work was done does not count.
+    fn eq(&self, other: &Self) -> bool {
+        self.lights == other.lights && self.surfaces == other.surfaces && self.line_color == other.line_color
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shader(specular: f64, shine: f64) -> Shader {
+        let opacity = Rgb::gray(1.0);
+        let (ambient, diffuse) = (Rgb::gray(0.125), Rgb::new(0.5, 0.25, 0.0));
+        let surface = SurfaceShading { ambient, diffuse, specular, shine, opacity, place: Place::default() };
+        let light = EyeLight { position: Vec3::ZERO, color: Rgb::WHITE };
+        Shader { lights: vec![light], surfaces: vec![surface], ..Shader::default() }
+    }
+
+    #[test]
+    fn a_lamp_at_the_eye_lights_a_face_squarely() {
+        // N.L = 1 and R.V = 1: ambient + diffuse + specular.
+        let lit = shader(0.25, 8.0).light(0, Vec3::new(0.0, 0.0, 4.0), Vec3::NEG_Z);
+        assert_eq!(lit, Rgb::new(0.875, 0.625, 0.375));
+    }
+
+    #[test]
+    fn at_sixty_degrees_half_the_diffuse_light_remains() {
+        let normal = Vec3::new(0.75_f64.sqrt(), 0.0, -0.5);
+        let lit = shader(0.0, 0.0).light(0, Vec3::new(0.0, 0.0, 4.0), normal);
+        assert!((lit.r - 0.375).abs() < 1e-12 && (lit.g - 0.25).abs() < 1e-12, "{lit:?}");
+    }
+
+    #[test]
+    fn no_highlight_no_power() {
+        let shader = shader(0.0, 8.0);
+        let _ = shader.light(0, Vec3::new(0.0, 0.0, 4.0), Vec3::NEG_Z);
+        assert_eq!(shader.powers(), 0);
+    }
+
+    #[test]
+    fn a_light_at_the_point_or_behind_it_leaves_the_ambient() {
+        let mut shader = shader(1.0, 0.0);
+        assert_eq!(shader.light(0, Vec3::new(0.0, 0.0, 4.0), Vec3::Z), Rgb::gray(0.125));
+        shader.lights[0].position = Vec3::new(0.0, 0.0, 4.0);
+        assert_eq!(shader.light(0, Vec3::new(0.0, 0.0, 4.0), Vec3::NEG_Z), Rgb::gray(0.125));
+    }
+}
