@@ -8,6 +8,8 @@ pub mod math;
 pub mod model;
 pub mod parse;
 pub mod plan;
+pub mod raster;
+pub mod render;
 pub mod report;
 pub mod scene;
 pub mod screen;

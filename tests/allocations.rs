@@ -1,0 +1,65 @@
+//! The geometry stage allocates nothing per polygon: a counting allocator, in a test binary of its own.
+
+#![allow(unsafe_code, reason = "an allocator cannot be written without; this one only counts and passes on")]
+
+mod support;
+
+use farop::plan::{Accepts, Choices, Plan, Shading};
+use farop::screen::DrawList;
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::sync::atomic::{AtomicU64, Ordering};
+use support::mixed::Mix;
+
+struct Counting;
+
+static ALLOCATIONS: AtomicU64 = AtomicU64::new(0);
+
+// SAFETY: every call goes on to the system's allocator as it came.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        ALLOCATIONS.fetch_add(1, Ordering::Relaxed);
+        // SAFETY: the caller's promise is the system's.
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        // SAFETY: as above.
+        unsafe { System.dealloc(pointer, layout) }
+    }
+
+    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        ALLOCATIONS.fetch_add(1, Ordering::Relaxed);
+        // SAFETY: as above.
+        unsafe { System.realloc(pointer, layout, size) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+/// Allocations of the second run over a list that the first run has warmed; polygons with 4 to 6 corners, a third cut.
+fn second_run(polygons: usize, choices: &Choices) -> u64 {
+    let mix = Mix { polygons, corners: (4, 6), distance: (0.5, 9.0), spread: 1.0, transparent: true, ..Mix::default() };
+    let scene = mix.scene(64);
+    let plan = Plan::new(&scene, choices, Accepts::AnyPolygon).expect("has a view");
+    let mut list = DrawList::new(0, 0);
+    let counts = farop::geometry::run(&scene, &plan, &mut list);
+    assert!(counts.cut * 8 > polygons as u64 && counts.polygons == polygons as u64, "{counts:?}");
+    let before = ALLOCATIONS.load(Ordering::Relaxed);
+    farop::geometry::run(&scene, &plan, &mut list);
+    ALLOCATIONS.load(Ordering::Relaxed) - before
+}
+
+/// One test: others would run beside it and be counted.
+#[test]
+fn nothing_is_allocated_per_polygon() {
+    for shading in [Shading::Gouraud, Shading::Phong, Shading::Flat, Shading::Wire] {
+        for triangles in [false, true] {
+            let choices = Choices { shading, triangles, ..Choices::default() };
+            let [few, many] = [100, 10_000].map(|polygons| second_run(polygons, &choices));
+            println!("{shading:?}, triangles {triangles}: {few} and {many} allocations");
+            // Buffers that grow to the largest polygon may double once more among many.
+            assert!(many <= few + 8 && many < 80, "{shading:?}: {few} for 100 polygons, {many} for 10,000");
+        }
+    }
+}
