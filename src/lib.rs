@@ -1,8 +1,36 @@
 //! farop: scenes in, a geometry stage that students can read, any rasterizer plugged in, honest answers out.
+//!
+//! ```text
+//! text -parse-> Scene --+-> Plan -+
+//!                       +---------+-> geometry::run -> DrawList -Rasterizer-> Fragment -Target-> Image -> file
+//!    EyePolygon -cull,clip-> ClippedPolygon -light,split,project-> ScreenPolygon
+//! ```
+//!
+//! Data goes one way: a room uses only rooms that stand before it in this list, which is also a good order to read them.
+//!
+//! | Room | What happens there |
+//! |---|---|
+//! | [`math`], [`color`] | vectors, and what display values have to do with light |
+//! | [`image`](mod@image) | pictures, their files, comparing them, [`snapshot`] tests |
+//! | [`diagnostic`], [`report`] | messages with places; counts and times |
+//! | [`scene`] | the tree of objects, surfaces, lights, the camera |
+//! | [`model`], [`spd`] | shapes as polygons; the standard procedural databases |
+//! | [`parse`], [`write`](mod@write) | NFF in, NFF out |
+//! | [`plan`] | what the scene needs and what the user chose |
+//! | [`screen`] | screen polygons, planes, the reflection model, screen files |
+//! | [`geometry`] | cull, clip, light, split, project: FAROP's figure 4 |
+//! | [`raster`] | the contract, the target, the z-buffer, Watkins, wire |
+//! | [`render`] | the driver; why a sample shows what it shows |
+//! | [`grade`] | probes that find a rasterizer's mistakes |
+//! | [`cli`] | the command line |
+//!
+//! `docs/tour.md` follows one polygon through all of them.
 
+pub mod cli;
 pub mod color;
 pub mod diagnostic;
 pub mod geometry;
+pub mod grade;
 pub mod image;
 pub mod math;
 pub mod model;

@@ -1,3 +1,7 @@
 //! The `farop` program: the whole command line is a library function that takes a registry of rasterizers.
 
-fn main() {}
+use farop::raster::Registry;
+
+fn main() -> std::process::ExitCode {
+    farop::cli::main(Registry::built_in())
+}

@@ -1,2 +1,7 @@
-//! The lab program.
-fn main() {}
+//! The lab program: all of farop's command line, and the rasterizers of this crate.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    farop::cli::main(student_rasterizers::registry())
+}

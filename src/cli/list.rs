@@ -1,0 +1,58 @@
+//! `farop list`: what there is.
+
+use super::error::{self, CliError};
+use crate::grade;
+use crate::raster::Registry;
+use crate::spd;
+use clap::{Args, ValueEnum};
+
+/// What there is: scenes, rasterizers, labs or checks
+#[derive(Args)]
+#[command(after_help = "Examples:\n  farop list scenes\n  farop list rasterizers")]
+pub(super) struct ListCommand {
+    /// Of what
+    #[arg(value_enum)]
+    what: What,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum What {
+    Scenes,
+    Rasterizers,
+    Labs,
+    Checks,
+}
+
+impl ListCommand {
+    pub fn run(self, registry: &Registry) -> Result<(), CliError> {
+        error::print(&match self.what {
+            What::Scenes => scenes(),
+            What::Rasterizers => rasterizers(registry),
+            What::Labs => {
+                "zbuffer    coverage, ties and depth of a z-buffer: see student_rasterizers/README.md\n".to_string()
+            }
+            What::Checks => checks(),
+        })
+    }
+}
+
+fn scenes() -> String {
+    let mut text = String::from("name       size  polygons  shapes  what there is to see\n");
+    for scene in &spd::SCENES {
+        let counts = spd::counts(scene, scene.default_size, spd::Curves::Kept);
+        let size = if scene.sized { scene.default_size.to_string() } else { "-".to_string() };
+        let (polygons, shapes) = (counts.p + counts.pp, counts.s + counts.c);
+        text += &format!("{:<9} {size:>5} {polygons:>9} {shapes:>7}  {}\n", scene.name, scene.summary);
+    }
+    text + "Render one with `farop render spd:NAME` or, of another size, `farop render spd:NAME:SIZE`.\n"
+}
+
+fn rasterizers(registry: &Registry) -> String {
+    let rows = registry.iter().map(|entry| format!("{:<11}{}\n", entry.name, entry.summary));
+    rows.collect::<String>() + "none       draws nothing: counts and times only\n"
+}
+
+fn checks() -> String {
+    let names: Vec<_> = grade::probes().iter().map(|probe| format!("{:<22}{}\n", probe.name, probe.tests)).collect();
+    names.concat()
+}

@@ -1,0 +1,235 @@
+//! Options that every picture-making command shares: text from the command line to [`Choices`] and view overrides.
+
+use crate::color::{Encoding, Rgb};
+use crate::math::Vec3;
+use crate::plan::{
+    AngleSpan, Choices, ClipLight, Culling, DepthFormat, Interpolation, LightTerms, NeedsMode, Shading, Transparency,
+};
+use crate::scene::{Camera, Light, Place, Scene};
+use clap::Args;
+
+/// What the picture is made with.
+#[derive(Args, Clone, Debug)]
+#[command(next_help_heading = "Picture")]
+pub(super) struct PictureOptions {
+    /// Size in pixels: WxH, or N for NxN [default: the scene's own]
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    size: Option<(u32, u32)>,
+    /// flat, gouraud, phong or wire
+    #[arg(short, long, value_name = "NAME", default_value = "gouraud")]
+    shading: Shading,
+    /// A: every pixel is the mean of A x A samples
+    #[arg(long, value_name = "A", default_value_t = 1)]
+    samples: u32,
+    /// Silhouette error of spheres and cones, in pixels
+    #[arg(long, value_name = "PX", default_value_t = 0.25)]
+    tolerance: f64,
+    /// Fixed tessellation instead: 12 N N triangles a sphere, 8 N a cone
+    #[arg(long, value_name = "N", conflicts_with = "tolerance")]
+    pub resolution: Option<u32>,
+    /// Sub-pixel bits of screen coordinates, 0 to 16; 0 = FAROP's integers
+    #[arg(long, value_name = "BITS", default_value_t = 8)]
+    subpixel_bits: u32,
+    /// f32, f64, int24 or int16
+    #[arg(long, value_name = "FORMAT", default_value = "f32")]
+    depth: DepthFormat,
+    /// back, nff (T > 0 keeps both faces) or none
+    #[arg(long, value_name = "RULE", default_value = "back")]
+    culling: Culling,
+    /// interpolate, or relight: light cut vertices anew, as in 1996
+    #[arg(long, value_name = "HOW", default_value = "interpolate")]
+    clip_light: ClipLight,
+    /// perspective or screen
+    #[arg(long, value_name = "HOW", default_value = "perspective")]
+    interpolation: Interpolation,
+    /// over, or additive (SIPP's rule)
+    #[arg(long, value_name = "RULE", default_value = "over")]
+    transparency: Transparency,
+    /// srgb, or linear: numbers straight through, as in 1996
+    #[arg(long, value_name = "NAME", default_value = "srgb", value_parser = encoding)]
+    pub encoding: Encoding,
+    /// Split every polygon into triangles
+    #[arg(long)]
+    triangles: bool,
+    /// NFF's angle spans the picture's edges or the centers of its outer pixels
+    #[arg(long, value_name = "SPAN", default_value = "edges")]
+    angle: AngleSpan,
+    /// derived, or full: compute also what the scene does not need
+    #[arg(long, value_name = "MODE", default_value = "derived")]
+    needs: NeedsMode,
+    /// Refuse larger pictures
+    #[arg(long, value_name = "N", default_value_t = 1 << 28)]
+    pub max_pixels: u64,
+    /// Threads; the picture does not depend on it
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024))]
+    threads: Option<u32>,
+    #[command(flatten)]
+    view: ViewOptions,
+}
+
+/// View, light and color: the command line wins over every file.
+#[derive(Args, Clone, Debug)]
+#[command(next_help_heading = "View and light")]
+struct ViewOptions {
+    /// Eye, as X,Y,Z
+    #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true)]
+    from: Option<Vec3>,
+    /// Point in the middle of the picture
+    #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true)]
+    at: Option<Vec3>,
+    /// Direction that is up
+    #[arg(long, value_name = "X,Y,Z", value_parser = point, allow_hyphen_values = true)]
+    up: Option<Vec3>,
+    /// Full opening in degrees across the smaller side
+    #[arg(long, value_name = "DEG", value_parser = finite, allow_hyphen_values = true)]
+    angle_of_view: Option<f64>,
+    /// Distance of the near plane
+    #[arg(long, value_name = "D", value_parser = finite, allow_hyphen_values = true)]
+    hither: Option<f64>,
+    /// Distance of the far plane [default: infinitely far]
+    #[arg(long, value_name = "D", value_parser = finite, allow_hyphen_values = true)]
+    yon: Option<f64>,
+    /// Color behind everything, 0..1
+    #[arg(long, value_name = "R,G,B", value_parser = rgb)]
+    background: Option<Rgb>,
+    /// A light in place of the scene's; may be repeated
+    #[arg(long, value_name = "X,Y,Z[,R,G,B]", value_parser = light, allow_hyphen_values = true)]
+    light: Vec<Light>,
+    /// Terms of the reflection model, of ambient,diffuse,specular
+    #[arg(long, value_name = "TERMS", value_parser = light_terms)]
+    light_terms: Option<LightTerms>,
+    /// Intensity of the ambient light [default: sqrt(n)/(2n) of n lights]
+    #[arg(long, value_name = "N", value_parser = not_negative)]
+    ambient: Option<f64>,
+    /// Intensity of every light [default: sqrt(n)/(2n) of n lights]
+    #[arg(long, value_name = "N", value_parser = not_negative)]
+    light_intensity: Option<f64>,
+}
+
+impl PictureOptions {
+    /// The choices these options make.
+    pub fn choices(&self) -> Choices {
+        Choices {
+            size: self.size,
+            shading: self.shading,
+            samples: self.samples,
+            tolerance: self.tolerance,
+            resolution: self.resolution,
+            subpixel_bits: self.subpixel_bits,
+            depth: self.depth,
+            culling: self.culling,
+            clip_light: self.clip_light,
+            interpolation: self.interpolation,
+            transparency: self.transparency,
+            encoding: self.encoding,
+            ambient: self.view.ambient,
+            light_intensity: self.view.light_intensity,
+            light_terms: self.view.light_terms.unwrap_or_default(),
+            triangles: self.triangles,
+            angle: self.angle,
+            needs: self.needs,
+            threads: self.threads,
+            max_pixels: self.max_pixels,
+        }
+    }
+
+    /// Lets the view options win over what the files said; returns a notice for each that did.
+    pub fn override_view(&self, scene: &mut Scene) -> Vec<String> {
+        let view = &self.view;
+        let mut replaced = Vec::new();
+        if scene.camera.is_none() && view.from.is_some() {
+            scene.camera = Some(self.camera_from_nothing());
+        }
+        if let Some(camera) = &mut scene.camera {
+            replace(&mut camera.from, view.from, "--from", &mut replaced);
+            replace(&mut camera.at, view.at, "--at", &mut replaced);
+            replace(&mut camera.up, view.up, "--up", &mut replaced);
+            replace(&mut camera.angle, view.angle_of_view, "--angle-of-view", &mut replaced);
+            replace(&mut camera.hither, view.hither, "--hither", &mut replaced);
+            replace(&mut camera.yon, view.yon.map(Some), "--yon", &mut replaced);
+        }
+        replace(&mut scene.background, view.background.map(Some), "--background", &mut replaced);
+        if !view.light.is_empty() {
+            scene.lights.clone_from(&view.light);
+            replaced.push("--light");
+        }
+        let notice = |option: &str| format!("{option} wins over the scene's own value");
+        replaced.into_iter().map(notice).collect()
+    }
+
+    fn camera_from_nothing(&self) -> Camera {
+        let (from, at, up) = (self.view.from.unwrap_or(Vec3::Z), Vec3::ZERO, Vec3::Y);
+        let (angle, hither, yon, place) = (45.0, 0.0, None, Place::default());
+        Camera { from, at, up, angle, hither, yon, resolution: (512, 512), place }
+    }
+}
+
+fn replace<T>(value: &mut T, option: Option<T>, name: &'static str, replaced: &mut Vec<&'static str>) {
+    if let Some(option) = option {
+        *value = option;
+        replaced.push(name);
+    }
+}
+
+/// `WxH` or `N`.
+pub(super) fn size(text: &str) -> Result<(u32, u32), String> {
+    let (width, height) = text.split_once(['x', 'X']).unwrap_or((text, text));
+    let number = |text: &str| {
+        text.trim().parse::<u32>().map_err(|_| format!("expected WxH or N, as in 640x480; found `{text}`"))
+    };
+    Ok((number(width)?, number(height)?))
+}
+
+pub(super) fn encoding(text: &str) -> Result<Encoding, String> {
+    let known = [Encoding::Srgb, Encoding::Linear].into_iter().find(|encoding| encoding.name() == text);
+    known.ok_or_else(|| "there is srgb, linear".to_string())
+}
+
+fn numbers(text: &str) -> Result<Vec<f64>, String> {
+    text.split(',').map(finite).collect()
+}
+
+fn finite(text: &str) -> Result<f64, String> {
+    let number = text.trim().parse::<f64>().map_err(|_| format!("`{text}` is not a number"))?;
+    if number.is_finite() { Ok(number) } else { Err(format!("`{text}` is not a finite number")) }
+}
+
+fn not_negative(text: &str) -> Result<f64, String> {
+    finite(text).and_then(|number| if number >= 0.0 { Ok(number) } else { Err(format!("{number} is negative")) })
+}
+
+fn point(text: &str) -> Result<Vec3, String> {
+    match numbers(text)?[..] {
+        [x, y, z] => Ok(Vec3::new(x, y, z)),
+        _ => Err("expected three numbers, as in 1,-2,0.5".to_string()),
+    }
+}
+
+fn rgb(text: &str) -> Result<Rgb, String> {
+    match numbers(text)?[..] {
+        [r, g, b] if r.min(g).min(b) >= 0.0 => Ok(Rgb::new(r, g, b)),
+        _ => Err("expected three numbers from 0 to 1, as in 0.1,0.4,0.8".to_string()),
+    }
+}
+
+fn light(text: &str) -> Result<Light, String> {
+    let (position, color) = match numbers(text)?[..] {
+        [x, y, z] => (Vec3::new(x, y, z), Rgb::WHITE),
+        [x, y, z, r, g, b] if r.min(g).min(b) >= 0.0 => (Vec3::new(x, y, z), Rgb::new(r, g, b)),
+        _ => return Err("expected a position, as in 6,6,6, or a position and a color, as in 6,6,6,1,1,0.5".to_string()),
+    };
+    Ok(Light { position, color, intensity: None, place: Place::default() })
+}
+
+fn light_terms(text: &str) -> Result<LightTerms, String> {
+    let mut terms = LightTerms { ambient: false, diffuse: false, specular: false };
+    for name in text.split(',') {
+        match name.trim() {
+            "ambient" => terms.ambient = true,
+            "diffuse" => terms.diffuse = true,
+            "specular" => terms.specular = true,
+            other => return Err(format!("`{other}`: there is ambient, diffuse, specular")),
+        }
+    }
+    Ok(terms)
+}

@@ -1,0 +1,57 @@
+//! `farop plan`: what the scene needs, what is chosen, and why.
+
+use super::error::{self, CliError};
+use super::options::PictureOptions;
+use super::scenes::{SceneOptions, as_rasterizer, find_rasterizer, make_plan};
+use crate::plan::{Plan, PlanRow};
+use crate::raster::Registry;
+use clap::Args;
+
+/// What scenes need, what is chosen, why, and what is saved
+#[derive(Args)]
+#[command(after_help = "Examples:\n  farop plan spd:balls\n  farop plan scene.nff --shading wire")]
+pub(super) struct PlanCommand {
+    #[command(flatten)]
+    scenes: SceneOptions,
+    /// Rasterizer the plan is made for
+    #[arg(short, long, value_name = "NAME", default_value = "zbuffer")]
+    rasterizer: String,
+    #[command(flatten)]
+    picture: PictureOptions,
+}
+
+impl PlanCommand {
+    pub fn run(self, registry: &Registry) -> Result<(), CliError> {
+        let loaded = self.scenes.load(&self.picture)?;
+        let registered = find_rasterizer(registry, &self.rasterizer)?;
+        let plan = make_plan(&loaded.scene, &self.picture, as_rasterizer(registered))?;
+        error::print(&text(&plan))
+    }
+}
+
+/// The plan as a table.
+pub(super) fn text(plan: &Plan) -> String {
+    let (width, height) = plan.view.pixels;
+    let choices = &plan.choices;
+    let mut text = format!(
+        "picture    {width}x{height} pixels of {0} x {0} samples, {1} shading, {2} sub-pixel bits\n",
+        choices.samples,
+        choices.shading.name(),
+        choices.subpixel_bits
+    );
+    text += &format!(
+        "light      ambient {}, each of {} lights {}\n",
+        plan.ambient, plan.survey.lights, plan.light_intensity
+    );
+    let rows = plan.explain();
+    let width = |of: fn(&PlanRow) -> &str| rows.iter().map(|row| of(row).len()).max().unwrap_or(0);
+    let (needs, decisions) = (width(|row| row.need).max(10), width(|row| &row.decision));
+    for row in &rows {
+        text += &format!("{:needs$} {:decisions$}  {}", row.need, row.decision, row.reason);
+        if !row.saving.is_empty() {
+            text += &format!("; saves {}", row.saving);
+        }
+        text.push('\n');
+    }
+    text
+}

@@ -1,0 +1,137 @@
+//! Scene arguments: files, standard input and built-in scenes, merged from left to right.
+
+use super::error::{self, CliError, notice};
+use super::options::PictureOptions;
+use crate::parse::{self, Format, ParseOptions, Winding};
+use crate::plan::Plan;
+use crate::raster::{Rasterizer, Registered, Registry};
+use crate::report::{StageTime, StageTimer};
+use crate::scene::{NormalSource, Scene};
+use crate::spd::{self, Curves};
+use clap::Args;
+use std::path::Path;
+
+/// Which scenes, and how their text is read.
+#[derive(Args, Clone, Debug)]
+pub(super) struct SceneOptions {
+    /// Scene files, `-`, or built-in ones, spd:NAME[:SIZE]; several merge
+    #[arg(required = true, value_name = "SCENE")]
+    pub scenes: Vec<String>,
+    /// Format of standard input and of unknown endings
+    #[arg(long, value_name = "FORMAT", value_parser = ["nff"])]
+    format: Option<String>,
+    /// file, or auto: turn polygons round whose normals point the other way
+    #[arg(long, value_name = "RULE", default_value = "file", value_parser = ["file", "auto"])]
+    winding: String,
+    /// Normals of NFF's `p`: facet, or smooth: the mean over the surface
+    #[arg(long, value_name = "KIND", default_value = "facet", value_parser = ["facet", "smooth"])]
+    normals: String,
+}
+
+/// The merged scene, with what there is to say about its reading.
+pub(super) struct Loaded {
+    pub scene: Scene,
+    pub notices: Vec<String>,
+    pub parse_time: StageTime,
+}
+
+impl SceneOptions {
+    /// The same options for one scene alone.
+    pub fn only(&self, name: &str) -> SceneOptions {
+        SceneOptions { scenes: vec![name.to_string()], ..self.clone() }
+    }
+
+    /// Reads and merges all scenes, then lets the command line's view win.
+    pub fn load(&self, picture: &PictureOptions) -> Result<Loaded, CliError> {
+        let timer = StageTimer::start();
+        let mut notices = Vec::new();
+        let mut merged = Scene::default();
+        for name in &self.scenes {
+            let scene = self.read(name, picture.resolution, &mut notices)?;
+            for parameter in merged.merge(scene) {
+                let text = format!("the {parameter} of {name} wins over that of the scenes before it");
+                notice(&text);
+                notices.push(text);
+            }
+        }
+        let overridden = picture.override_view(&mut merged);
+        overridden.iter().for_each(|text| notice(text));
+        notices.extend(overridden);
+        Ok(Loaded { scene: merged, notices, parse_time: timer.stop() })
+    }
+
+    fn read(&self, name: &str, resolution: Option<u32>, notices: &mut Vec<String>) -> Result<Scene, CliError> {
+        let options = ParseOptions {
+            winding: if self.winding == "auto" { Winding::Auto } else { Winding::File },
+            polygon_normals: if self.normals == "smooth" { NormalSource::Averaged } else { NormalSource::Facet },
+        };
+        let parsed = match name.strip_prefix("spd:") {
+            Some(built_in) => {
+                let curves = resolution.map_or(Curves::Kept, Curves::Patches);
+                parse::read_nff(name, &built_in_text(built_in, curves)?, options)
+            }
+            None => parse::load(Path::new(name), self.format.as_ref().map(|_| Format::Nff), options),
+        };
+        let parsed = parsed.map_err(|errors| CliError::Diagnosed(errors.render(error::stderr_has_color())))?;
+        if !parsed.notices.is_empty() {
+            error::diagnose(&parsed.notices.render(error::stderr_has_color()));
+            notices.extend(parsed.notices.list.iter().map(|notice| notice.message.clone()));
+        }
+        Ok(parsed.scene)
+    }
+}
+
+/// The text of `NAME[:SIZE]`.
+pub(super) fn built_in_text(built_in: &str, curves: Curves) -> Result<Vec<u8>, CliError> {
+    let (name, size) = built_in.split_once(':').map_or((built_in, None), |(name, size)| (name, Some(size)));
+    let scene = find_built_in(name)?;
+    let size = match size {
+        None => scene.default_size,
+        Some(text) => text
+            .parse()
+            .map_err(|_| CliError::failed(format!("spd:{built_in}: `{text}` is not a size; write spd:{name}:4")))?,
+    };
+    let mut text = Vec::new();
+    spd::generate(scene, size, curves, &mut text)
+        .map_err(|error| CliError::failed(format!("spd:{built_in}: {error}")))?;
+    Ok(text)
+}
+
+/// The built-in scene of that name, or an error that lists them.
+pub(super) fn find_built_in(name: &str) -> Result<&'static spd::SpdScene, CliError> {
+    spd::find(name).ok_or_else(|| {
+        let names: Vec<_> = spd::SCENES.iter().map(|scene| scene.name).collect();
+        CliError::failed(format!("there is no built-in scene `{name}`; there is {}", names.join(", ")))
+    })
+}
+
+/// The rasterizer named after `-r`; `None` for `none`.
+pub(super) fn find_rasterizer<'a>(registry: &'a Registry, name: &str) -> Result<Option<&'a Registered>, CliError> {
+    if name == "none" {
+        return Ok(None);
+    }
+    registry.find(name).map(Some).ok_or_else(|| {
+        let names: Vec<_> = registry.iter().map(|entry| entry.name.as_str()).collect();
+        CliError::failed(format!(
+            "there is no rasterizer `{name}` in this program; there is {}, none\n\
+             help: a rasterizer of your own runs in your own crate: `farop student new ana`, then\n      \
+             `cargo run -p student_ana -- render spd:gears -r {name}`",
+            names.join(", ")
+        ))
+    })
+}
+
+/// The rasterizer of `registered`, as the driver takes it.
+pub(super) fn as_rasterizer(registered: Option<&Registered>) -> Option<&dyn Rasterizer> {
+    registered.map(|entry| &*entry.rasterizer as &dyn Rasterizer)
+}
+
+/// The plan of `scene` for a rasterizer.
+pub(super) fn make_plan(
+    scene: &Scene,
+    picture: &PictureOptions,
+    rasterizer: Option<&dyn Rasterizer>,
+) -> Result<Plan, CliError> {
+    let accepts = rasterizer.map_or(crate::plan::Accepts::AnyPolygon, Rasterizer::accepts);
+    Ok(Plan::new(scene, &picture.choices(), accepts)?)
+}
