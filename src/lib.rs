@@ -45,3 +45,22 @@ pub mod spd;
 pub mod write;
 
 pub use self::image::snapshot;
+
+/// The code in the documents and the README is compiled and run with the tests.
+#[cfg(doctest)]
+mod documents {
+    #[doc = include_str!("../README.md")]
+    struct Readme;
+    #[doc = include_str!("../docs/tour.md")]
+    struct Tour;
+    #[doc = include_str!("../docs/conventions.md")]
+    struct Conventions;
+    #[doc = include_str!("../docs/glossary.md")]
+    struct Glossary;
+    #[doc = include_str!("../docs/snapshots.md")]
+    struct Snapshots;
+    #[doc = include_str!("../docs/formats.md")]
+    struct Formats;
+    #[doc = include_str!("../docs/screen-files.md")]
+    struct ScreenFiles;
+}
