@@ -133,11 +133,12 @@ impl PictureOptions {
         }
     }
 
-    /// Lets the view options win over what the files said; returns a notice for each that did.
+    /// Lets the view options win over what the files said; returns a notice for each value that was there and lost.
     pub fn override_view(&self, scene: &mut Scene) -> Vec<String> {
         let view = &self.view;
         let mut replaced = Vec::new();
-        if scene.camera.is_none() && view.from.is_some() {
+        let has_camera = scene.camera.is_some();
+        if !has_camera && view.from.is_some() {
             scene.camera = Some(self.camera_from_nothing());
         }
         if let Some(camera) = &mut scene.camera {
@@ -146,12 +147,14 @@ impl PictureOptions {
             replace(&mut camera.up, view.up, "--up", &mut replaced);
             replace(&mut camera.angle, view.angle_of_view, "--angle-of-view", &mut replaced);
             replace(&mut camera.hither, view.hither, "--hither", &mut replaced);
-            replace(&mut camera.yon, view.yon.map(Some), "--yon", &mut replaced);
+            replace_if_there(&mut camera.yon, view.yon, "--yon", &mut replaced);
         }
-        replace(&mut scene.background, view.background.map(Some), "--background", &mut replaced);
+        // What a file never said cannot lose.
+        replaced.retain(|_| has_camera);
+        replace_if_there(&mut scene.background, view.background, "--background", &mut replaced);
         if !view.light.is_empty() {
+            replaced.extend((!scene.lights.is_empty()).then_some("--light"));
             scene.lights.clone_from(&view.light);
-            replaced.push("--light");
         }
         let notice = |option: &str| format!("{option} wins over the scene's own value");
         replaced.into_iter().map(notice).collect()
@@ -168,6 +171,14 @@ fn replace<T>(value: &mut T, option: Option<T>, name: &'static str, replaced: &m
     if let Some(option) = option {
         *value = option;
         replaced.push(name);
+    }
+}
+
+/// As [`replace`], for a value that the scene may not have.
+fn replace_if_there<T>(value: &mut Option<T>, option: Option<T>, name: &'static str, replaced: &mut Vec<&'static str>) {
+    if let Some(option) = option {
+        replaced.extend(value.is_some().then_some(name));
+        *value = Some(option);
     }
 }
 

@@ -40,7 +40,7 @@ pub(super) fn text(plan: &Plan) -> String {
         choices.subpixel_bits
     );
     text += &format!(
-        "light      ambient {}, each of {} lights {}\n",
+        "light      ambient {:.3}, each of {} lights {:.3}\n",
         plan.ambient, plan.survey.lights, plan.light_intensity
     );
     let rows = plan.explain();

@@ -11,7 +11,8 @@
 //! ends only when the difference there exceeds what rounding could have made of it (`depth`).
 //!
 //! Space: samples. Source: Watkins, "A Real-Time Visible Surface Algorithm", Ph.D. thesis, University of Utah, 1970; the
-//! bookkeeping after Agoston, "Computer Graphics and Geometric Modeling", 2005. Differences are in `docs/formats.md`.
+//! bookkeeping after Agoston, "Computer Graphics and Geometric Modeling", 2005. Different here: crossings are exact whole
+//! numbers instead of accumulated slopes, parity is kept per polygon, and transparent segments are handed to the target.
 //! Cost: sorting edges once; on a scan line, its segments and spans; shading once a sample, whatever the depth complexity.
 
 mod depth;
