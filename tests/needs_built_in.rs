@@ -79,6 +79,10 @@ fn a_false_not_needed_changes_the_picture() {
     let unclipped = tampered(&teapot, &choices, |plan| plan.needs.clip &= !ClipPlane::Left.bit());
     assert!(honest != unclipped, "leaving out a plane that is crossed must show");
 
+    let gears = built_in("gears", 1, Curves::Kept);
+    let honest = tampered(&gears, &choices, |_| ());
+    assert!(honest != tampered(&gears, &choices, |plan| plan.needs.blending = false), "leaving out blending must show");
+
     let balls = built_in("balls", 1, Curves::Patches(2));
     let honest = tampered(&balls, &choices, |_| ());
     assert!(honest != tampered(&balls, &choices, |plan| plan.needs.light = false), "leaving out light must show");

@@ -23,6 +23,8 @@ use crate::screen::shader::{EyeLight, SurfaceShading};
 pub(super) struct Lighting {
     shading: Shading,
     needed: bool,
+    /// Surfaces may let light through.
+    blending: bool,
     /// Highlights are.
     specular: bool,
     /// Cut vertices are lit anew.
@@ -46,6 +48,8 @@ impl Lighting {
         Lighting {
             shading: choices.shading,
             needed: plan.needs.light,
+            // Lines hide what they cross, whatever they are made of.
+            blending: plan.needs.blending && choices.shading != Shading::Wire,
             specular: plan.needs.specular,
             relight: choices.clip_light == ClipLight::Relight && choices.shading == Shading::Gouraud,
             screen: choices.interpolation == Interpolation::Screen,
@@ -84,7 +88,8 @@ impl Lighting {
             diffuse: color * on(terms.diffuse, material.diffuse),
             specular: on(terms.specular && self.specular, material.specular),
             shine: material.shine,
-            opacity: if self.shading == Shading::Wire { Rgb::gray(1.0) } else { material.opacity.to_f32() },
+            // Where nothing needs blending the target never keeps a list.
+            opacity: if self.blending { material.opacity.to_f32() } else { Rgb::gray(1.0) },
             place,
         });
         (shader.surfaces.len() - 1) as u32

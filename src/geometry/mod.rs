@@ -29,8 +29,9 @@ use crate::math::{Affine3, Vec3};
 use crate::model;
 use crate::plan::{Culling, Plan, Split};
 use crate::report::Counts;
-use crate::scene::{Mesh, NormalSource, Polygon, Scene, Surface};
+use crate::scene::{Mesh, Polygon, Scene, Surface};
 use crate::screen::{DrawList, Source};
+use clip::{ClipVertex, ClipVolume, Clipped, Clipper};
 use light::Lighting;
 use project::Projector;
 use walk::{EyeMesh, Tessellator};
@@ -62,7 +63,7 @@ struct Geometry<'a> {
     shape_mesh: EyeMesh,
     tessellator: Tessellator,
     polygon: Corners,
-    clipper: clip::Clipper,
+    clipper: Clipper,
 }
 
 /// The polygon in hand: its corners in eye space, and what varies at them.
@@ -71,7 +72,7 @@ struct Corners {
     /// Indices into the mesh; the first is the file's first.
     outline: Vec<u32>,
     eye: Vec<Vec3>,
-    clip: Vec<clip::ClipVertex>,
+    clip: Vec<ClipVertex>,
 }
 
 /// What the steps need to know of the surface or shape a polygon belongs to.
@@ -84,6 +85,8 @@ struct Part<'a> {
     /// The transform mirrors: outlines run the other way round.
     mirrored: bool,
     tessellated: bool,
+    /// Which of the surface's shapes, where it is tessellated.
+    shape: u32,
 }
 
 impl<'a> Geometry<'a> {
@@ -102,7 +105,7 @@ impl<'a> Geometry<'a> {
             shape_mesh: EyeMesh::default(),
             tessellator: Tessellator::default(),
             polygon: Corners::default(),
-            clipper: clip::Clipper::default(),
+            clipper: Clipper::default(),
         }
     }
 
@@ -131,7 +134,7 @@ impl<'a> Geometry<'a> {
         // Move shared vertices to eye space, once.
         let mut eye_mesh = std::mem::take(&mut self.surface_mesh);
         eye_mesh.fill(&surface.mesh, world_from_local, self.plan, &mut self.counts.work);
-        let part = Part { mesh: &surface.mesh, surface, shading, mirrored, tessellated: false };
+        let part = Part { mesh: &surface.mesh, surface, shading, mirrored, tessellated: false, shape: 0 };
         let mut next = 0;
         for (number, primitive) in surface.primitives.iter().enumerate() {
             self.polygons(part, &mut eye_mesh, next..primitive.before as usize);
@@ -149,7 +152,7 @@ impl<'a> Geometry<'a> {
         let primitive = &of.surface.primitives[number];
         if tessellator.tessellate(primitive, world_from_local, self.plan, &mut self.counts.work) {
             eye_mesh.fill(&tessellator.mesh, world_from_local, self.plan, &mut self.counts.work);
-            let part = Part { mesh: &tessellator.mesh, tessellated: true, ..of };
+            let part = Part { mesh: &tessellator.mesh, tessellated: true, shape: number as u32, ..of };
             self.polygons(part, &mut eye_mesh, 0..tessellator.mesh.polygons.len());
         }
         self.tessellator = tessellator;
@@ -159,7 +162,9 @@ impl<'a> Geometry<'a> {
     fn polygons(&mut self, part: Part<'_>, eye_mesh: &mut EyeMesh, range: std::ops::Range<usize>) {
         for number in range {
             let polygon = &part.mesh.polygons[number];
-            let source = Source { line: polygon.line, number: number as u32, tessellated: part.tessellated };
+            // A piece of a shape is known by its shape.
+            let number = if part.tessellated { part.shape } else { number as u32 };
+            let source = Source { line: polygon.line, number, tessellated: part.tessellated };
             self.polygon(part, eye_mesh, polygon, source);
         }
     }
@@ -169,8 +174,18 @@ impl<'a> Geometry<'a> {
         let mut corners = std::mem::take(&mut self.polygon);
         corners.collect(part, eye_mesh, polygon);
         self.counts.add_polygon(part.tessellated);
-        if let Some(facing) = self.cull(part, &corners, source) {
-            self.clip_light_split_project(part, eye_mesh, (polygon.normals, facing, source), &mut corners);
+        if let Some(facing) = self.cull(part, &corners, source)
+            && let Some(crossed) = self.classify(part, eye_mesh, &corners)
+        {
+            // Light belongs to the vertices of the scene (with `relight`, normals take its place until clipping is done).
+            let normals = (polygon.normals, facing);
+            let carried = self.lighting.light_corners(part, eye_mesh, normals, &mut corners, &mut self.list.shader);
+            corners.place_in_clip_space(self.projector.clip_from_eye);
+            if self.clip(part, &corners.clip, (crossed, carried), source) {
+                let (clipped, clip_from_eye) = (&mut self.projector.clipped, self.projector.clip_from_eye);
+                self.lighting.relight(part.shading, clipped, clip_from_eye, &mut self.list.shader);
+                self.split_and_project(part, &corners.clip, facing, source);
+            }
         }
         self.polygon = corners;
     }
@@ -196,58 +211,59 @@ impl<'a> Geometry<'a> {
         None
     }
 
-    fn clip_light_split_project(
-        &mut self,
-        part: Part<'_>,
-        eye_mesh: &mut EyeMesh,
-        (normals, facing, source): (NormalSource, Facing, Source),
-        corners: &mut Corners,
-    ) {
-        // Clip: what the outcodes of the corners can decide.
+    /// Clip, as far as outcodes tell: whether the polygon crosses a plane, or `None` when it is wholly outside one.
+    fn classify(&mut self, part: Part<'_>, eye_mesh: &EyeMesh, corners: &Corners) -> Option<bool> {
         let (any, all) = eye_mesh.outcodes(&corners.outline);
         if all != 0 {
             self.counts.add_clipped(part.tessellated);
-            return;
+            return None;
         }
-        // Light: at the vertices of the scene (with `relight`, normals take the place of light until clipping is done).
-        let count = self.lighting.light_corners(part, eye_mesh, (normals, facing), corners, &mut self.list.shader);
-        corners.place_in_clip_space(self.projector.clip_from_eye);
-        // Clip: cut what reaches over a plane.
-        let volume = clip::ClipVolume { hither: self.plan.view.hither, yon: Some(self.plan.view.yon) };
-        let clipped: &mut Vec<_> = &mut self.projector.clipped;
-        clipped.clear();
-        if any == 0 {
-            clipped.extend_from_slice(&corners.clip);
-        } else {
-            match self.clipper.clip(&corners.clip, &volume, count) {
-                clip::Clipped::Inside => clipped.extend_from_slice(&corners.clip),
-                clip::Clipped::Cut(vertices) => clipped.extend_from_slice(vertices),
-                clip::Clipped::Outside => return self.counts.add_clipped(part.tessellated),
-                clip::Clipped::NotFinite => {
-                    self.counts.skipped += 1;
-                    return;
-                }
+        Some(any != 0)
+    }
+
+    /// Clip: leaves in the projector what lies inside the view volume; `false` when nothing does.
+    ///
+    /// A polygon that crosses no plane passes untouched, to the last bit.
+    fn clip(
+        &mut self,
+        part: Part<'_>,
+        corners: &[ClipVertex],
+        (crossed, carried): (bool, usize),
+        source: Source,
+    ) -> bool {
+        let volume = ClipVolume { hither: self.plan.view.hither, yon: Some(self.plan.view.yon) };
+        let left = if crossed { self.clipper.clip(corners, &volume, carried) } else { Clipped::Inside };
+        let vertices = match left {
+            Clipped::Inside => corners,
+            Clipped::Cut(vertices) => vertices,
+            Clipped::Outside => {
+                self.counts.add_clipped(part.tessellated);
+                return false;
             }
-        }
-        self.counts.add_rendered(part.tessellated, any != 0, clipped.len());
+            Clipped::NotFinite => {
+                self.counts.skipped += 1;
+                return false;
+            }
+        };
+        self.projector.clipped.clear();
+        self.projector.clipped.extend_from_slice(vertices);
+        self.counts.add_rendered(part.tessellated, crossed, vertices.len());
         if let Some(trace) = self.trace.as_deref_mut() {
-            trace.clipped.push(ClippedPolygon { source, vertices: clipped.clone() });
+            trace.clipped.push(ClippedPolygon { source, vertices: vertices.to_vec() });
         }
-        self.lighting.relight(
-            part.shading,
-            &mut self.projector.clipped,
-            self.projector.clip_from_eye,
-            &mut self.list.shader,
-        );
-        // Split and project.
-        let affine = self.lighting.is_affine(&corners.clip, &self.projector.clipped);
+        true
+    }
+
+    /// Split where the plan says so, and project to the screen.
+    fn split_and_project(&mut self, part: Part<'_>, corners: &[ClipVertex], facing: Facing, source: Source) {
+        let affine = self.lighting.is_affine(corners, &self.projector.clipped);
         let split = match self.plan.needs.split {
             Split::All => true,
             Split::NotAffine => !affine,
             Split::None => false,
         };
         let from_clipped = self.lighting.belongs_to_clipped();
-        let outline = project::Outline { corners: &corners.clip, from_clipped, newell: facing.newell(), affine };
+        let outline = project::Outline { corners, from_clipped, newell: facing.newell(), affine };
         let report = self.projector.emit(&outline, split, (part.shading, source), self.list);
         self.counts.split += u64::from(split && self.projector.clipped.len() > 3);
         self.counts.forced_ears += report.forced as u64;

@@ -77,7 +77,7 @@ pub struct DepthMapping {
 }
 
 impl DepthMapping {
-    /// Depth of a sample at 1/w: itself, or the nearest of 2^k - 1 steps from yon (0) to hither.
+    /// Depth of a sample at 1/w: itself, or the nearest of 2^k - 1 steps from yon (1) to hither; 0 stays infinitely far.
     #[must_use]
     pub fn apply(&self, inverse_w: f64) -> f64 {
         let steps = match self.format {
@@ -85,7 +85,8 @@ impl DepthMapping {
             DepthFormat::Int24 => f64::from((1 << 24) - 1),
             DepthFormat::Int16 => f64::from((1 << 16) - 1),
         };
-        ((inverse_w - self.farthest) / (self.nearest - self.farthest) * steps).round().clamp(0.0, steps)
+        let share = (inverse_w - self.farthest) / (self.nearest - self.farthest);
+        (1.0 + share * (steps - 1.0)).round().clamp(1.0, steps)
     }
 }
 
