@@ -28,10 +28,12 @@ impl ListCommand {
         error::print(&match self.what {
             What::Scenes => scenes(),
             What::Rasterizers => rasterizers(registry),
-            What::Labs => {
-                "zbuffer    coverage, ties and depth of a z-buffer: see student_rasterizers/README.md\n".to_string()
+            What::Labs => labs(),
+            // Said plainly: a list of something else would look like one.
+            What::Checks => {
+                "There are no accuracy checks to run from here yet; `cargo test` holds those of the project.\n"
+                    .to_string()
             }
-            What::Checks => checks(),
         })
     }
 }
@@ -52,7 +54,8 @@ fn rasterizers(registry: &Registry) -> String {
     rows.collect::<String>() + "none       draws nothing: counts and times only\n"
 }
 
-fn checks() -> String {
-    let names: Vec<_> = grade::probes().iter().map(|probe| format!("{:<22}{}\n", probe.name, probe.tests)).collect();
-    names.concat()
+fn labs() -> String {
+    let probes = grade::probes().iter().map(|probe| format!("  {:<20}{}\n", probe.name, probe.tests));
+    "zbuffer: coverage, ties and depth (student_rasterizers/README.md); its probes:\n".to_string()
+        + &probes.collect::<String>()
 }
