@@ -6,7 +6,7 @@ use farop::math::{Affine3, Mat3, Vec3};
 use farop::plan::{Choices, ClipPlane, Culling, NeedsMode, Shading};
 use farop::raster::ZBuffer;
 use farop::report::Counts;
-use farop::scene::{Material, Scene};
+use farop::scene::{Light, LightSource, Material, Scene};
 use farop::screen::{DrawList, EdgeKind, ScreenVertex};
 use support::draw;
 use support::mixed::Mix;
@@ -73,7 +73,7 @@ fn moved(scene: &Scene, offset: Vec3) -> Scene {
     let mut scene = scene.clone();
     let vertices = scene.surfaces.iter_mut().flat_map(|surface| &mut surface.mesh.vertices);
     vertices.for_each(|vertex| *vertex += offset);
-    scene.lights.iter_mut().for_each(|light| light.position += offset);
+    scene.lights.iter_mut().for_each(|light| *position(light) += offset);
     if let Some(camera) = &mut scene.camera {
         camera.from += offset;
         camera.at += offset;
@@ -111,9 +111,7 @@ fn what_can_be_written_down_far_away_changes_no_bit() {
     // On multiples of 2^-10 the scene can be moved by 2^40 without rounding: only the size of the numbers is new.
     let mut near = tilted();
     let vertices = near.surfaces.iter_mut().flat_map(|surface| &mut surface.mesh.vertices);
-    vertices
-        .chain(near.lights.iter_mut().map(|light| &mut light.position))
-        .for_each(|v| *v = (*v * 1024.0).round() / 1024.0);
+    vertices.chain(near.lights.iter_mut().map(position)).for_each(|v| *v = (*v * 1024.0).round() / 1024.0);
     let far = moved(&near, Vec3::new(1.0, -1.0, 1.0) * (1_u64 << 40) as f64);
     for shading in [Shading::Flat, Shading::Gouraud, Shading::Phong] {
         let choices = Choices { culling: Culling::None, shading, ..Choices::default() };
@@ -227,5 +225,12 @@ fn split_triangles_draw_what_the_whole_polygon_draws() {
             let differ = whole.pixels().iter().zip(split.pixels()).filter(|(a, b)| a != b).count();
             assert_eq!(differ, 0, "seed {seed}");
         }
+    }
+}
+
+fn position(light: &mut Light) -> &mut Vec3 {
+    match &mut light.source {
+        LightSource::Point { position } => position,
+        other => panic!("{other:?} is not a point light"),
     }
 }

@@ -358,7 +358,7 @@ proptest! {
     fn numbers_are_read_exactly(text in "[-+]?([0-9]{1,25}\\.?[0-9]{0,25}|\\.[0-9]{1,25})([eE][-+]?[0-9]{1,3})?") {
         let expected: f64 = text.parse().expect("the pattern gives numbers");
         match read_nff("m.nff", format!("l {text} 1 1").as_bytes(), ParseOptions::default()) {
-            Ok(parsed) => prop_assert_eq!(parsed.scene.lights[0].position.x.to_bits(), expected.to_bits()),
+            Ok(parsed) => prop_assert_eq!(parsed.scene.lights[0].source.position().x.to_bits(), expected.to_bits()),
             Err(errors) => {
                 prop_assert!(expected.is_infinite(), "{}", errors);
                 prop_assert!(errors.list[0].message.contains("too large"));

@@ -64,7 +64,8 @@ fn scene() -> Scene {
         opacity: Rgb::gray(opacity),
         ..Material::default()
     };
-    let surface = |mesh, material| Surface { material, mesh, primitives: Vec::new(), place: Place::default() };
+    let surface =
+        |mesh, material| Surface { material, mesh, primitives: Vec::new(), two_sided: false, place: Place::default() };
     let surfaces = vec![
         surface(floor, paint(Rgb::new(0.1, 0.7, 0.3), 0.0, 1.0)),
         surface(roof, paint(Rgb::new(0.9, 0.2, 0.1), 0.4, 1.0)),
@@ -87,8 +88,7 @@ fn scene() -> Scene {
         resolution: (40, 32),
         place: Place::default(),
     };
-    let light =
-        Light { position: Vec3::new(2.0, 3.0, 5.0), color: Rgb::WHITE, intensity: None, place: Place::default() };
+    let light = Light::point(Vec3::new(2.0, 3.0, 5.0), Rgb::WHITE, Place::default());
     Scene {
         files: vec!["scene".to_string()],
         objects: vec![object],

@@ -229,7 +229,7 @@ fn light(text: &str) -> Result<Light, String> {
         [x, y, z, r, g, b] if r.min(g).min(b) >= 0.0 => (Vec3::new(x, y, z), Rgb::new(r, g, b)),
         _ => return Err("expected a position, as in 6,6,6, or a position and a color, as in 6,6,6,1,1,0.5".to_string()),
     };
-    Ok(Light { position, color, intensity: None, place: Place::default() })
+    Ok(Light::point(position, color, Place::default()))
 }
 
 fn light_terms(text: &str) -> Result<LightTerms, String> {

@@ -75,7 +75,7 @@ fn scene_text(scene: &Scene, text: &mut String) -> std::fmt::Result {
         )?;
     }
     for light in &scene.lights {
-        writeln!(text, "light {} color {:?}", light.position, light.color.to_array())?;
+        writeln!(text, "light {} color {:?}", light.source.position(), light.color.to_array())?;
     }
     let mut depths = vec![0usize; scene.objects.len()];
     let mut result = Ok(());

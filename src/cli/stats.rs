@@ -85,7 +85,7 @@ fn import_lines(loaded: &Loaded, plan: &Plan, text: &mut String) -> std::fmt::Re
     }
     writeln!(text, "Pipeline: NFF view parameters loaded")?;
     for light in &scene.lights {
-        let (position, color) = (light.position, light.color);
+        let (position, color) = (light.source.position(), light.color);
         let position = format!("({:.2} {:.2} {:.2})", position.x, position.y, position.z);
         writeln!(text, "Pipeline: NFF light loaded {position} ({:.2} {:.2} {:.2})", color.r, color.g, color.b)?;
     }

@@ -71,7 +71,7 @@ impl Lighting {
             return;
         }
         let to_eye = |light: &Light| EyeLight {
-            position: plan.view.to_eye(light.position),
+            position: plan.view.to_eye(light.source.position()),
             color: light.color * light.intensity.unwrap_or(plan.light_intensity),
         };
         shader.lights.extend(scene.lights.iter().map(to_eye));

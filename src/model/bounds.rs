@@ -51,6 +51,7 @@ pub fn bounding_ball(shape: &Shape) -> Ball {
             let reach = |end: Vec3, radius: f64| ((end - center).length_squared() + radius * radius).sqrt();
             Ball { center, radius: reach(base, base_radius).max(reach(apex, apex_radius)) }
         }
+        _ => Ball { center: Vec3::ZERO, radius: f64::INFINITY },
     }
     .rounded_outward()
 }

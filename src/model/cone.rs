@@ -82,6 +82,9 @@ impl Cone {
 
     /// Adds the cone; it has extent.
     pub(super) fn tessellate(&self, detail: Detail, sheet: &mut Sheet<'_>) {
+        if !self.has_extent() {
+            return;
+        }
         let (n, triangles) = match detail {
             Detail::Segments(n) => (n.clamp(MIN_CIRCLE, MAX_CIRCLE), false),
             Detail::Resolution(n) => (4 * n.clamp(1, Detail::MAX_RESOLUTION), true),

@@ -48,17 +48,13 @@ impl Detail {
 pub fn tessellate(shape: &Shape, inside: bool, detail: Detail, line: u32, mesh: &mut Mesh) {
     let mut sheet = Sheet { mesh, inside, line };
     match *shape {
-        Shape::Sphere { center, radius } => {
-            if center.is_finite() && radius.is_finite() && radius > 0.0 {
-                sphere::tessellate(center, radius, detail, &mut sheet);
-            }
-        }
+        Shape::Sphere { center, radius } => sphere::tessellate(center, radius, detail, &mut sheet),
         Shape::Cone { base, base_radius, apex, apex_radius } => {
             let cone = cone::Cone { base, base_radius, apex, apex_radius };
-            if cone.has_extent() {
-                cone.tessellate(detail, &mut sheet);
-            }
+            cone.tessellate(detail, &mut sheet);
         }
+        // The shapes of SIPP follow.
+        _ => (),
     }
 }
 

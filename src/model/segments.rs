@@ -81,6 +81,7 @@ pub fn segments(shape: &Shape, eye_from_local: &Affine3, lens: &Lens, tolerance:
             };
             circle_segments(end(base, base_radius).max(end(apex, apex_radius)), tolerance)
         }
+        _ => MIN_CIRCLE,
     }
 }
 

@@ -229,7 +229,7 @@ fn stretched_shapes_keep_the_tolerance_too() {
         let turn = |random: &mut Random| Affine3::from_axis_angle(random.direction(), random.between(0.0, 6.0));
         let map = turn(&mut random) * Affine3::from_scale(scale) * turn(&mut random);
         let eye_from_local = Affine3::from_translation(center) * map;
-        let shape = if sample % 2 == 0 { sphere } else { tube };
+        let shape = if sample % 2 == 0 { sphere.clone() } else { tube.clone() };
         let n = segments(&shape, &eye_from_local, &lens, 0.25);
         let outline = |n: u32, mesh: &mut Mesh| {
             mesh.clear();

@@ -12,6 +12,9 @@ use crate::math::{PI, Vec3, tan, unit};
 
 /// Adds the sphere; `radius` is positive and finite.
 pub(super) fn tessellate(center: Vec3, radius: f64, detail: Detail, sheet: &mut Sheet<'_>) {
+    if !(center.is_finite() && radius.is_finite() && radius > 0.0) {
+        return;
+    }
     match detail {
         Detail::Segments(n) => {
             let n = n.clamp(MIN_SPHERE, MAX_SPHERE).next_multiple_of(2);

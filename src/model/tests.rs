@@ -96,6 +96,7 @@ fn normals_are_unit_and_agree_with_the_winding() {
             let middle = match *shape {
                 Shape::Sphere { center, .. } => center,
                 Shape::Cone { base, apex, .. } => (base + apex) / 2.0,
+                _ => unreachable!("none of these"),
             };
             for polygon in &mesh.polygons {
                 let outline = points(&mesh, polygon);

@@ -12,6 +12,8 @@ pub struct Mesh {
     pub vertices: Vec<Vec3>,
     /// Given unit normals, one a vertex; empty where no polygon of the mesh has any. Zero: none given at this vertex.
     pub normals: Vec<Vec3>,
+    /// Texture coordinates (u, v, w), one triple a vertex; empty where no polygon of the mesh has any.
+    pub texture: Vec<Vec3>,
     /// The outlines of all polygons, one behind the other, as indices into `vertices`.
     pub outlines: Vec<u32>,
     /// The polygons, in file order.
@@ -55,6 +57,9 @@ impl Mesh {
         if !self.normals.is_empty() {
             self.normals.push(Vec3::ZERO);
         }
+        if !self.texture.is_empty() {
+            self.texture.push(Vec3::ZERO);
+        }
         (self.vertices.len() - 1) as u32
     }
 
@@ -62,6 +67,9 @@ impl Mesh {
     pub fn push_vertex_with_normal(&mut self, position: Vec3, normal: Vec3) -> u32 {
         self.normals.resize(self.vertices.len(), Vec3::ZERO);
         self.normals.push(normal);
+        if !self.texture.is_empty() {
+            self.texture.push(Vec3::ZERO);
+        }
         self.vertices.push(position);
         (self.vertices.len() - 1) as u32
     }
@@ -77,6 +85,7 @@ impl Mesh {
     pub fn clear(&mut self) {
         self.vertices.clear();
         self.normals.clear();
+        self.texture.clear();
         self.outlines.clear();
         self.polygons.clear();
     }

@@ -11,10 +11,16 @@
 //! Space: every object has its own local space; `parent_from_local` leads out of it. World space is right-handed,
 //! polygons are counterclockwise seen from their front. Colors are display values, as written in the file.
 
+mod light;
+mod material;
 mod mesh;
+mod shape;
 mod tree;
 
+pub use light::{Light, LightSource, SpotEdge};
+pub use material::{Material, Reflection};
 pub use mesh::{Mesh, NormalSource, Polygon};
+pub use shape::{CurveNet, PatchNet, Primitive, Shape, TeapotPart, TextureMapping};
 pub use tree::{InstanceBudgetExceeded, Placed};
 
 use crate::color::Rgb;
@@ -80,102 +86,11 @@ pub struct Surface {
     pub material: Material,
     /// The polygons of the file.
     pub mesh: Mesh,
-    /// Spheres and cones, turned into polygons only when the view is known.
+    /// Spheres, cones and other shapes, turned into polygons only when the view is known.
     pub primitives: Vec<Primitive>,
+    /// Back faces are drawn, too, whatever the user chose (SIPP's `show_backfaces`).
+    pub two_sided: bool,
     /// Where its material was declared.
-    pub place: Place,
-}
-
-/// A curved shape of the file and its place in the order of the surface's polygons.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Primitive {
-    /// What it is, in local space.
-    pub shape: Shape,
-    /// Only the inside is visible (NFF writes this as a negative radius).
-    pub inside: bool,
-    /// It comes before this polygon of [`Surface::mesh`] (or after all, if this is the number of polygons).
-    pub before: u32,
-    /// 1-based line in the file of the surface.
-    pub line: u32,
-}
-
-/// The curved shapes of NFF. Radii are positive, or zero at one end of a cone.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Shape {
-    /// All points at `radius` from `center`.
-    Sphere {
-        /// Local space.
-        center: Vec3,
-        /// Local units.
-        radius: f64,
-    },
-    /// A cone or, with equal radii, a cylinder: the side only, open at both ends.
-    ///
-    /// Where `base` and `apex` coincide it is the flat disc or ring between the two radii, facing +z.
-    Cone {
-        /// Center of the first end.
-        base: Vec3,
-        /// Radius there.
-        base_radius: f64,
-        /// Center of the other end.
-        apex: Vec3,
-        /// Radius there.
-        apex_radius: f64,
-    },
-}
-
-/// What light a surface sends back: Phong's model with NFF's coefficients.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Material {
-    /// Scales ambient and diffuse light; display values 0..1.
-    pub color: Rgb,
-    /// Coefficient of ambient light. `None` (NFF has none): the renderer's ambient light, reflected as `diffuse` says.
-    pub ambient: Option<f64>,
-    /// Coefficient of diffuse light, NFF's Kd.
-    pub diffuse: f64,
-    /// Coefficient of the highlight, NFF's Ks.
-    pub specular: f64,
-    /// Phong's cosine power, NFF's Shine: larger is smaller and sharper. 100000 means no visible highlight.
-    pub shine: f64,
-    /// 1 hides what is behind, 0 is invisible; per channel. NFF's 1 - T.
-    pub opacity: Rgb,
-    /// Index of refraction: kept for the NFF writer, unused by rasterizers.
-    pub refraction: f64,
-}
-
-impl Default for Material {
-    /// What NFF objects get before any `f`: white, Kd 0.8, opaque.
-    fn default() -> Self {
-        Material {
-            color: Rgb::WHITE,
-            ambient: None,
-            diffuse: 0.8,
-            specular: 0.0,
-            shine: 0.0,
-            opacity: Rgb::WHITE,
-            refraction: 1.0,
-        }
-    }
-}
-
-impl Material {
-    /// Hides everything behind it.
-    #[must_use]
-    pub fn is_opaque(&self) -> bool {
-        self.opacity == Rgb::WHITE
-    }
-}
-
-/// A point light, without attenuation.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Light {
-    /// World space.
-    pub position: Vec3,
-    /// Relative color; light, not a display value. White where the file gives none.
-    pub color: Rgb,
-    /// Factor on `color`. `None` (NFF has none): the renderer chooses, see [`crate::plan`].
-    pub intensity: Option<f64>,
-    /// Where it was declared.
     pub place: Place,
 }
 

@@ -146,7 +146,7 @@ impl Writer<'_> {
 
     fn light(&mut self, light: &Light) -> io::Result<()> {
         self.losses.light_intensities += usize::from(light.intensity.is_some());
-        let ([x, y, z], [r, g, b]) = (light.position.to_array(), light.color.to_array());
+        let ([x, y, z], [r, g, b]) = (light.source.position().to_array(), light.color.to_array());
         if light.color == Rgb::WHITE { self.entity("l", &[x, y, z]) } else { self.entity("l", &[x, y, z, r, g, b]) }
     }
 
@@ -244,6 +244,7 @@ impl Writer<'_> {
                 let [base, apex] = ends.map(|(center, radius)| [center.x, center.y, center.z, sign * radius]);
                 self.entity("c", &[base, apex].concat())
             }
+            _ => self.polygonized(primitive, placement),
         }
     }
 
@@ -277,6 +278,7 @@ fn moved(shape: &Shape, placement: &Placement) -> Option<Shape> {
                 apex_radius: apex_radius * scale,
             })
         }
+        _ => None,
     }
 }
 

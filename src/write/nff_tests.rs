@@ -16,9 +16,11 @@ fn triangle(normals: NormalSource) -> Mesh {
 }
 
 fn surface(mesh: Mesh, shapes: &[(Shape, bool, u32)]) -> Surface {
-    let primitives =
-        shapes.iter().map(|&(shape, inside, before)| Primitive { shape, inside, before, line: 0 }).collect();
-    Surface { material: Material::default(), mesh, primitives, place: Place::default() }
+    let primitives = shapes
+        .iter()
+        .map(|&(ref shape, inside, before)| Primitive { inside, ..Primitive::new(shape.clone(), before, 0) })
+        .collect();
+    Surface { material: Material::default(), mesh, primitives, two_sided: false, place: Place::default() }
 }
 
 fn scene(surface: Surface, parent_from_local: Affine3) -> Scene {
@@ -73,7 +75,7 @@ fn a_whole_scene_in_order() {
         resolution: (640, 480),
         place: Place::default(),
     });
-    let light = Light { position: Vec3::ONE, color: Rgb::WHITE, intensity: None, place: Place::default() };
+    let light = Light::point(Vec3::ONE, Rgb::WHITE, Place::default());
     scene.lights = vec![light, Light { color: Rgb::new(1.0, 0.5, 0.0), ..light }];
     let (text, notices) = written(&scene);
     let third = 1.0 / 3.0;
@@ -148,8 +150,9 @@ fn stretched_shapes_become_polygons_and_say_so() {
 
     // A disc that faces +z has a word, one that does not has none.
     let disc = Shape::Cone { base: Vec3::ONE, base_radius: 1.0, apex: Vec3::ONE, apex_radius: 0.0 };
-    let turned =
-        |angle: f64| written(&scene(surface(Mesh::default(), &[(disc, false, 0)]), Affine3::from_rotation_x(angle)));
+    let turned = |angle: f64| {
+        written(&scene(surface(Mesh::default(), &[(disc.clone(), false, 0)]), Affine3::from_rotation_x(angle)))
+    };
     assert_eq!((words(&turned(0.0).0), words(&turned(0.5).0)), ("f c".to_string(), "f pp".to_string()));
 }
 
@@ -160,8 +163,7 @@ fn what_nff_cannot_say_is_listed() {
     scene.world.push(ObjectId(1));
     scene.surfaces[0].material.ambient = Some(0.5);
     scene.surfaces[0].material.opacity = Rgb::new(1.0, 0.5, 0.75);
-    scene.lights =
-        vec![Light { position: Vec3::ONE, color: Rgb::WHITE, intensity: Some(2.0), place: Place::default() }];
+    scene.lights = vec![Light { intensity: Some(2.0), ..Light::point(Vec3::ONE, Rgb::WHITE, Place::default()) }];
     let (text, notices) = written(&scene);
     assert_eq!(words(&text), "l f p");
     assert!(text.contains("f 1 1 1 0.8 0 0 0.25 1\n"), "{text}");

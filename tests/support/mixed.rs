@@ -60,7 +60,7 @@ impl Mix {
         let place = Place::default();
         let light = |_| {
             let position = Vec3::new(random.between(-9.0, 9.0), random.between(-9.0, 9.0), random.between(-3.0, 3.0));
-            Light { position: world(position), color: Rgb::new(1.0, 0.875, 0.75), intensity: None, place }
+            Light::point(world(position), Rgb::new(1.0, 0.875, 0.75), place)
         };
         scene.lights = (0..self.lights).map(light).collect();
         scene.background = Some(Rgb::new(0.25, 0.375, 0.5));
@@ -117,7 +117,7 @@ pub fn light(scene: &Scene, material: &Material, point: Vec3, normal: Vec3) -> V
     let rgb = |color: Rgb| Vec3::new(color.r, color.g, color.b);
     let mut total = rgb(material.color) * material.diffuse * level;
     for light in &scene.lights {
-        let to_light = (world(light.position) - point).normalize();
+        let to_light = (world(light.source.position()) - point).normalize();
         let cosine = normal.dot(to_light);
         if cosine <= 0.0 {
             continue;

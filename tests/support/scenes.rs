@@ -45,7 +45,7 @@ pub fn scene(camera: Camera, surfaces: Vec<Surface>) -> Scene {
         objects: vec![object],
         surfaces,
         world: vec![ObjectId(0)],
-        lights: vec![Light { position, color: Rgb::WHITE, intensity: None, place }],
+        lights: vec![Light::point(position, Rgb::WHITE, place)],
         camera: Some(camera),
         background: None,
     }
@@ -53,7 +53,7 @@ pub fn scene(camera: Camera, surfaces: Vec<Surface>) -> Scene {
 
 /// A surface of one material over `mesh`.
 pub fn surface(material: Material, mesh: Mesh) -> Surface {
-    Surface { material, mesh, primitives: Vec::new(), place: Place::default() }
+    Surface { material, mesh, primitives: Vec::new(), two_sided: false, place: Place::default() }
 }
 
 /// A mesh of facets, each with corners of its own (world space), counterclockwise from the front.

@@ -18,7 +18,8 @@ use crate::math::{Affine3, Vec3, newell_normal, unit};
 use crate::parse::area::is_collinear;
 use crate::parse::{ParseOptions, Winding};
 use crate::scene::{
-    Light, Material, Mesh, NormalSource, Object, ObjectId, Place, Primitive, Scene, Shape, Surface, SurfaceId,
+    Light, Material, Mesh, NormalSource, Object, ObjectId, Place, Primitive, Reflection, Scene, Shape, Surface,
+    SurfaceId,
 };
 
 /// The scene as far as it was read.
@@ -79,13 +80,15 @@ impl Builder {
                     );
                 }
                 let color = color.unwrap_or(Rgb::WHITE);
-                self.scene.lights.push(Light { position, color, intensity: None, place });
+                self.scene.lights.push(Light::point(position, color, place));
             }
             Statement::Surface { color, diffuse, specular, shine, transmitted, refraction } => {
                 self.check_color(color, 1, keyword)?;
                 check_coefficients([diffuse, specular, shine, transmitted])?;
                 let opacity = Rgb::gray(1.0 - transmitted);
-                let material = Material { color, ambient: None, diffuse, specular, shine, opacity, refraction };
+                let reflection = Reflection::Nff;
+                let material =
+                    Material { reflection, color, ambient: None, diffuse, specular, shine, opacity, refraction };
                 self.start_surface(material, place);
             }
             Statement::Sphere { center, radius } => {
@@ -194,7 +197,7 @@ impl Builder {
             return self.notices.note(Oddity::NoRadius, keyword);
         }
         let before = self.surface.mesh.polygons.len() as u32;
-        self.surface.primitives.push(Primitive { shape, inside, before, line });
+        self.surface.primitives.push(Primitive { inside, ..Primitive::new(shape, before, line) });
     }
 
     /// Display colors: negative is refused, above 1 is worth a notice.
@@ -211,7 +214,7 @@ impl Builder {
 }
 
 fn empty_surface(material: Material, place: Place) -> Surface {
-    Surface { material, mesh: Mesh::default(), primitives: Vec::new(), place }
+    Surface { material, mesh: Mesh::default(), primitives: Vec::new(), two_sided: false, place }
 }
 
 fn is_negative(color: Rgb) -> bool {
