@@ -78,7 +78,9 @@ impl Found {
 fn compare_all(name: &str, scene: &Scene, side: u32) -> (u64, u64) {
     let (mut pictures, mut wrong) = (0, 0);
     for shading in [Shading::Flat, Shading::Gouraud, Shading::Phong] {
-        for (&depth, culling) in DepthFormat::ALL.iter().zip([Culling::Back, Culling::None, Culling::Back, Culling::Nff]) {
+        for (&depth, culling) in
+            DepthFormat::ALL.iter().zip([Culling::Back, Culling::None, Culling::Back, Culling::Nff])
+        {
             let subpixel_bits = if depth == DepthFormat::Int16 { 0 } else { 8 };
             let size = Some((side, side));
             let choices = Choices { size, shading, depth, culling, subpixel_bits, ..Choices::default() };

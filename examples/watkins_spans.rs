@@ -47,7 +47,10 @@ fn main() {
     for row in 0..list.height as i32 {
         for span in spans(&list, row) {
             if chosen == Some(row) {
-                println!("{:>4} to {:>4}  polygon {:<4} {:?}", span.columns.start, span.columns.end, span.polygon, span.decision);
+                println!(
+                    "{:>4} to {:>4}  polygon {:<4} {:?}",
+                    span.columns.start, span.columns.end, span.polygon, span.decision
+                );
             }
             let dark = color(span.decision);
             for column in span.columns.clone() {

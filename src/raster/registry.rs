@@ -28,7 +28,11 @@ impl Registry {
         let none = Registry::default();
         none.add("zbuffer", "keeps the depth of the nearest polygon at every sample; the readable reference", ZBuffer)
             .add("watkins", "scan line by scan line, span by span; every sample is put once", Watkins)
-            .add("scanline", "polygon by polygon, every value one addition from the last: fast, and it drifts", Scanline)
+            .add(
+                "scanline",
+                "polygon by polygon, every value one addition from the last: fast, and it drifts",
+                Scanline,
+            )
             .add("wire", "edges only, no hidden-line removal", PerPolygon(Wire))
     }
 

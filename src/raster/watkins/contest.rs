@@ -136,13 +136,7 @@ impl Contest {
     }
 
     /// The candidate that the ends of a span prove to be in front of all others throughout; `None` where they do not.
-    fn nearest_at_both_ends(
-        &mut self,
-        list: &DrawList,
-        order: &DepthOrder,
-        ends: (i32, i32),
-        row: i32,
-    ) -> Option<u32> {
+    fn nearest_at_both_ends(&mut self, list: &DrawList, order: &DepthOrder, ends: (i32, i32), row: i32) -> Option<u32> {
         let depths = |polygon: u32| {
             let plane = list.polygon(polygon as usize).depth_plane()?;
             Some(EndDepths::new(plane, ends, row))

@@ -121,12 +121,7 @@ impl Line {
 }
 
 /// Puts the samples of `columns`; what is infinitely far is not there.
-fn put_run(
-    polygon: &ScreenPolygon<'_>,
-    (columns, row): (Range<i32>, i32),
-    list: &DrawList,
-    target: &mut Target<'_>,
-) {
+fn put_run(polygon: &ScreenPolygon<'_>, (columns, row): (Range<i32>, i32), list: &DrawList, target: &mut Target<'_>) {
     for column in columns {
         let fragment = list.shader.fragment(polygon, column, row);
         if fragment.depth > 0.0 {
