@@ -104,7 +104,7 @@ fn nearly_all_spans_of_gears_are_decided_as_a_whole() {
     let share = 1.0 - pixel_work as f64 / counted["spans"] as f64;
     assert!(share >= 0.9, "{share}");
     // And they are spans: of several samples, and of several segments.
-    assert!(counted["spans"] * 3 < 1024 * 1024 && counted["spans of one segment"] < counted["spans"] * 3 / 4);
+    assert!(counted["spans"] * 3 < 1024 * 1024 && counted["spans decided by their ends"] > counted["spans"] / 20);
 }
 
 #[test]

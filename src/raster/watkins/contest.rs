@@ -26,7 +26,7 @@ pub enum Decision {
     Range,
     /// It is nearer than all others at both ends of the span.
     Ends,
-    /// The span is one sample wide, and depths were compared there.
+    /// Too close to tell by the ends: the span is one sample wide, and the z-buffer's own depths were compared there.
     Sample,
 }
 
@@ -103,11 +103,10 @@ impl Contest {
         if let [nearest] = self.candidates[..] {
             return Some((nearest, Decision::Range));
         }
-        if columns.len() == 1 {
-            return Some((self.nearest_at(list, columns.start, row), Decision::Sample));
+        if let Some(nearest) = self.nearest_at_both_ends(list, &order, (columns.start, columns.end - 1), row) {
+            return Some((nearest, Decision::Ends));
         }
-        let nearest = self.nearest_at_both_ends(list, &order, (columns.start, columns.end - 1), row)?;
-        Some((nearest, Decision::Ends))
+        (columns.len() == 1).then(|| (self.nearest_at(list, columns.start, row), Decision::Sample))
     }
 
     /// The z-extent test: a polygon whose nearest point is behind the farthest point of another cannot win.
