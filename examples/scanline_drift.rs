@@ -72,7 +72,7 @@ fn drift(list: &DrawList, expected: &Frame, actual: &Frame) -> Drift {
         }
         let (here, there) = (levels(light), levels(other_light));
         drift.bytes_differ += u64::from((0..3).any(|channel| here[channel].round() != there[channel].round()));
-        if owner == other_owner {
+        if owner.is_some() && owner == other_owner {
             let most = (0..3).map(|channel| (here[channel] - there[channel]).abs()).fold(0.0, f64::max);
             let relative = (depth - other_depth).abs() / depth;
             (drift.most_levels, drift.levels) = (drift.most_levels.max(most), drift.levels + most);

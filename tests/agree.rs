@@ -108,6 +108,21 @@ fn nearly_all_spans_of_gears_are_decided_as_a_whole() {
 }
 
 #[test]
+fn threads_change_neither_the_picture_nor_what_is_counted() {
+    let gears = built_in("gears", 2, Curves::Kept);
+    let picture = |threads| {
+        let choices = Choices { size: Some((90, 110)), threads: Some(threads), ..Choices::default() };
+        let rendered = render(&gears, &choices, Some(&Watkins)).expect("a usable view");
+        (rendered.image, rendered.puts)
+    };
+    let alone = picture(1);
+    assert!(alone.1.most["longest active edge list"] > 10);
+    for threads in [2, 3, 50] {
+        assert!(picture(threads) == alone, "{threads} threads: {:?}, alone {:?}", picture(threads).1, alone.1);
+    }
+}
+
+#[test]
 fn a_piercing_is_found_by_halving_and_shown_in_its_spans() {
     // Two ramps that cross in the middle of 64 samples.
     let mut list = farop::screen::DrawList::new(64, 1);

@@ -6,6 +6,7 @@ use crate::raster::PutCounts;
 use crate::render::Rendered;
 use crate::report::{StageTime, peak_bytes};
 use crate::scene::{Scene, Shape};
+use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;
 
@@ -56,7 +57,7 @@ fn json(rendered: &Rendered) -> serde_json::Value {
         "puts": puts.puts,
         "overdraw": puts.overdraw,
         "stray_writes": puts.stray_writes,
-        "rasterizer": puts.own,
+        "rasterizer": puts.own.iter().chain(&puts.most).collect::<BTreeMap<_, _>>(),
         "spans_without_pixel_work": span_share(puts),
         "tessellated": counts.tessellated,
         "work": counts.work,
@@ -171,7 +172,7 @@ fn raster_lines(rendered: &Rendered, rasterizer: &str, text: &mut String) -> std
         "Pipeline: Fragments put: {}, overdrawn: {}, outside: {}",
         puts.puts, puts.overdraw, puts.stray_writes
     )?;
-    for (name, count) in &puts.own {
+    for (name, count) in puts.own.iter().chain(&puts.most) {
         writeln!(text, "Pipeline: {rasterizer}: {name}: {count}")?;
     }
     if let Some(share) = span_share(puts) {

@@ -60,7 +60,9 @@ impl Rasterizer for Watkins {
 fn draw_rows(list: &DrawList, target: &mut Target<'_>) {
     let rows = target.row_range();
     let mut buckets = sort_edges(list, &rows);
-    target.count("edges", buckets.iter().map(|bucket| bucket.len() as u64).sum());
+    // Each where it begins, so that threads do not count it twice.
+    let begins = |entry: &&ActiveEdge| entry.edge.rows(list.grid).start >= i64::from(rows.start);
+    target.count("edges", buckets.iter().flatten().filter(begins).count() as u64);
     let mut active: Vec<ActiveEdge> = Vec::new();
     let mut line = Line::default();
     let mut longest = 0;
