@@ -63,4 +63,10 @@ mod documents {
     struct Formats;
     #[doc = include_str!("../docs/screen-files.md")]
     struct ScreenFiles;
+    #[doc = include_str!("../docs/watkins.md")]
+    struct Watkins;
+    #[doc = include_str!("../docs/scanline.md")]
+    struct Scanline;
+    #[doc = include_str!("../docs/transparency.md")]
+    struct Transparency;
 }

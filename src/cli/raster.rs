@@ -24,7 +24,7 @@ pub(super) struct RasterCommand {
     /// Picture to write, .png or .ppm
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
-    /// Rasterizer: zbuffer, watkins, wire, or a plugged-in one
+    /// Rasterizer: zbuffer, watkins, scanline, wire, or a plugged-in one
     #[arg(short, long, value_name = "NAME", default_value = "zbuffer")]
     rasterizer: String,
     /// What the colors of a classic file mean: srgb or linear

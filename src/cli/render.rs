@@ -24,7 +24,7 @@ pub(super) struct RenderCommand {
     /// Picture to write, .png or .ppm; without it, the picture in the terminal
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Rasterizer: zbuffer, watkins, wire, none (counts and times only), or a plugged-in one
+    /// Rasterizer: zbuffer, watkins, scanline, wire, none (counts and times only), or a plugged-in one
     #[arg(short, long, value_name = "NAME", default_value = "zbuffer")]
     rasterizer: String,
     /// Counts and times, as text or as json

@@ -2,9 +2,11 @@
 
 use super::scenes::Loaded;
 use crate::plan::Plan;
+use crate::raster::PutCounts;
 use crate::render::Rendered;
 use crate::report::{StageTime, peak_bytes};
 use crate::scene::{Scene, Shape};
+use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;
 
@@ -55,7 +57,8 @@ fn json(rendered: &Rendered) -> serde_json::Value {
         "puts": puts.puts,
         "overdraw": puts.overdraw,
         "stray_writes": puts.stray_writes,
-        "rasterizer": puts.own,
+        "rasterizer": puts.own.iter().chain(&puts.most).collect::<BTreeMap<_, _>>(),
+        "spans_without_pixel_work": span_share(puts),
         "tessellated": counts.tessellated,
         "work": counts.work,
         "times_ms": rendered.times,
@@ -169,8 +172,12 @@ fn raster_lines(rendered: &Rendered, rasterizer: &str, text: &mut String) -> std
         "Pipeline: Fragments put: {}, overdrawn: {}, outside: {}",
         puts.puts, puts.overdraw, puts.stray_writes
     )?;
-    for (name, count) in &puts.own {
+    for (name, count) in puts.own.iter().chain(&puts.most) {
         writeln!(text, "Pipeline: {rasterizer}: {name}: {count}")?;
+    }
+    if let Some(share) = span_share(puts) {
+        let percent = share * 100.0;
+        writeln!(text, "Pipeline: {rasterizer}: share of spans decided without per-pixel work: {percent:.2} %")?;
     }
     writeln!(text, "Pipeline: Picture written")?;
     write_timer(text, times.write)?;
@@ -178,6 +185,14 @@ fn raster_lines(rendered: &Rendered, rasterizer: &str, text: &mut String) -> std
     // Nothing is left to release, but the log ends as it always did.
     writeln!(text, "Pipeline: Releasing resources...!")?;
     writeln!(text, "Pipeline: Release complete!")
+}
+
+/// The share of spans that were decided as a whole, for rasterizers that count spans.
+fn span_share(puts: &PutCounts) -> Option<f64> {
+    let count = |name: &str| puts.own.get(name).copied();
+    let pixel_work = count("spans halved")? + count("spans of one sample, compared")?;
+    let spans = count("spans").filter(|&spans| spans > 0)?;
+    Some(1.0 - pixel_work as f64 / spans as f64)
 }
 
 fn write_timer(text: &mut String, time: StageTime) -> std::fmt::Result {

@@ -83,6 +83,20 @@ impl Edge {
         first_center_from(self.top.1, grid)..first_center_from(self.bottom.1, grid)
     }
 
+    /// Samples to the right for every row down; infinite for horizontal edges.
+    #[must_use]
+    pub fn slope(&self) -> f64 {
+        (self.bottom.0 - self.top.0) as f64 / (self.bottom.1 - self.top.1) as f64
+    }
+
+    /// Where it crosses the center line of `row`, in samples. Rounded: good for values, never for coverage.
+    #[must_use]
+    pub fn crossing(&self, row: i64, grid: Grid) -> f64 {
+        let steps = grid.steps() as f64;
+        let down = (row as f64 + 0.5) * steps - self.top.1 as f64;
+        (self.top.0 as f64 + down * self.slope()) / steps
+    }
+
     /// The first column whose center is at or right of the edge on the center line of `row`.
     #[must_use]
     pub fn first_column(&self, row: i64, grid: Grid) -> i64 {

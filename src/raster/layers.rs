@@ -92,6 +92,14 @@ mod tests {
     }
 
     #[test]
+    fn nothing_is_kept_until_something_is_transparent() {
+        let mut layers = Layers::default();
+        assert_eq!((layers.heads.capacity(), layers.arena.capacity()), (0, 0));
+        layers.push(2, 5, layer(1.0, 0, 1.0, 0.5));
+        assert_eq!((layers.heads.len(), layers.arena.len()), (5, 1));
+    }
+
+    #[test]
     fn drawing_order_does_not_matter() {
         let (near, far) = (layer(2.0, 0, 1.0, 0.5), layer(1.0, 1, 0.5, 0.5));
         let mut pictures = Vec::new();

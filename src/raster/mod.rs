@@ -9,12 +9,14 @@
 pub mod coverage;
 mod layers;
 mod registry;
+mod scanline;
 mod target;
-mod watkins;
+pub mod watkins;
 mod wire;
 mod zbuffer;
 
 pub use registry::{Registered, Registry};
+pub use scanline::Scanline;
 pub use target::{Frame, PutCounts, Target};
 pub use watkins::Watkins;
 pub use wire::Wire;

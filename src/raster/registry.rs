@@ -3,7 +3,7 @@
 //! Why an explicit list: a student adds one line to the `main` of the own crate, and the whole command line works with
 //! it. Nothing is found by magic, so nothing is mysteriously missing.
 
-use super::{PerPolygon, Rasterizer, Watkins, Wire, ZBuffer};
+use super::{PerPolygon, Rasterizer, Scanline, Watkins, Wire, ZBuffer};
 
 /// A rasterizer that can be asked for by name.
 pub struct Registered {
@@ -28,6 +28,11 @@ impl Registry {
         let none = Registry::default();
         none.add("zbuffer", "keeps the depth of the nearest polygon at every sample; the readable reference", ZBuffer)
             .add("watkins", "scan line by scan line, span by span; every sample is put once", Watkins)
+            .add(
+                "scanline",
+                "polygon by polygon, every value one addition from the last: fast, and it drifts",
+                Scanline,
+            )
             .add("wire", "edges only, no hidden-line removal", PerPolygon(Wire))
     }
 

@@ -30,6 +30,8 @@ pub struct PutCounts {
     pub stray_writes: u64,
     /// What the rasterizer itself counted, by name; see [`Target::count`].
     pub own: BTreeMap<&'static str, u64>,
+    /// As `own`, for numbers of which only the largest matters; see [`Target::count_most`].
+    pub most: BTreeMap<&'static str, u64>,
 }
 
 impl std::ops::AddAssign for PutCounts {
@@ -39,6 +41,10 @@ impl std::ops::AddAssign for PutCounts {
         self.stray_writes += other.stray_writes;
         for (name, count) in other.own {
             *self.own.entry(name).or_default() += count;
+        }
+        for (name, count) in other.most {
+            let most = self.most.entry(name).or_default();
+            *most = count.max(*most);
         }
     }
 }
@@ -156,7 +162,7 @@ impl Target<'_> {
 
     /// As [`Target::count`], for a number of which only the largest matters.
     pub fn count_most(&mut self, name: &'static str, count: u64) {
-        let most = self.counts.own.entry(name).or_default();
+        let most = self.counts.most.entry(name).or_default();
         *most = count.max(*most);
     }
 

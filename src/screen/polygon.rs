@@ -94,6 +94,18 @@ impl<'a> ScreenPolygon<'a> {
         values
     }
 
+    /// What varies, from `inverse_w` and value / w of every number, however a rasterizer came by them: incrementally, say.
+    ///
+    /// `over_w` has one number for each of [`ScreenPolygon::varying_planes`]; further ones are not looked at.
+    #[must_use]
+    pub fn values_from(&self, inverse_w: f64, over_w: &[f32]) -> Values {
+        let mut values = Values::default();
+        for (plane, &number) in self.varying_planes().iter().zip(over_w) {
+            values.push(plane.clamp(self.divide(plane, f64::from(number), inverse_w)));
+        }
+        values
+    }
+
     fn divide(&self, plane: &Plane, value_over_w: f64, inverse_w: f64) -> f64 {
         if plane.evaluation == Evaluation::Constant || self.list.interpolation == Interpolation::Screen {
             return value_over_w;

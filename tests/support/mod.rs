@@ -3,8 +3,10 @@
 #![allow(dead_code, reason = "every test binary uses a part")]
 
 pub mod built_in;
+pub mod census;
 pub mod cut;
 pub mod half_planes;
+pub mod hard;
 pub mod mixed;
 pub mod random;
 pub mod scenes;
