@@ -52,6 +52,7 @@ fn json(rendered: &Rendered) -> serde_json::Value {
         "triangles": counts.triangles,
         "split": counts.split,
         "skipped": counts.skipped,
+        "nonplanar": counts.nonplanar,
         "puts": puts.puts,
         "overdraw": puts.overdraw,
         "stray_writes": puts.stray_writes,

@@ -142,7 +142,7 @@ fn spheres_keep_the_tolerance_and_waste_little() {
     for sample in 0..150 {
         let Sample { lens, center, radius } = ball_in_view(&mut random);
         let tolerance = [1.0, 0.25, 0.0625][sample % 3];
-        let n = segments(&Shape::Sphere { center, radius }, &Affine3::IDENTITY, &lens, tolerance);
+        let [n, _] = segments(&Shape::Sphere { center, radius }, &Affine3::IDENTITY, &lens, tolerance);
         // Tessellate a turned sphere: poles may point anywhere.
         let turn = Affine3::from_axis_angle(random.direction(), random.between(0.0, 6.0));
         mesh.clear();
@@ -182,7 +182,7 @@ fn cones_keep_the_tolerance_and_waste_little() {
         let thin = if sample % 2 == 0 { thick } else { 0.0 };
         let (base, apex) = (center - axis * radius * share, center + axis * radius * share);
         let shape = Shape::Cone { base, base_radius: thick, apex, apex_radius: thin };
-        let n = segments(&shape, &Affine3::IDENTITY, &lens, tolerance);
+        let [n, _] = segments(&shape, &Affine3::IDENTITY, &lens, tolerance);
         let frame = Cone { base, base_radius: thick, apex, apex_radius: thin }.frame();
         mesh.clear();
         tessellate(&shape, false, Detail::Segments(n), 0, &mut mesh);
@@ -230,7 +230,7 @@ fn stretched_shapes_keep_the_tolerance_too() {
         let map = turn(&mut random) * Affine3::from_scale(scale) * turn(&mut random);
         let eye_from_local = Affine3::from_translation(center) * map;
         let shape = if sample % 2 == 0 { sphere.clone() } else { tube.clone() };
-        let n = segments(&shape, &eye_from_local, &lens, 0.25);
+        let [n, _] = segments(&shape, &eye_from_local, &lens, 0.25);
         let outline = |n: u32, mesh: &mut Mesh| {
             mesh.clear();
             tessellate(&shape, false, Detail::Segments(n), 0, mesh);
