@@ -122,8 +122,7 @@ impl Tessellator {
             return false;
         }
         let detail = detail(primitive, world_from_local, plan);
-        self.nonplanar =
-            model::tessellate(&primitive.shape, primitive.inside, detail, primitive.line, &mut self.mesh);
+        self.nonplanar = model::tessellate(&primitive.shape, primitive.inside, detail, primitive.line, &mut self.mesh);
         work.shape_vertices += self.mesh.vertices.len() as u64;
         true
     }

@@ -75,7 +75,8 @@ impl Cut {
     pub fn tangent(&self) -> Vec3 {
         let [_, _, from_2, from_3] = self.right.map(|later| later - self.right[0]);
         let [to_0, to_1, ..] = self.left.map(|earlier| self.left[3] - earlier);
-        let size = self.left.iter().chain(&self.right).map(|&point| (point - self.left[0]).length()).fold(0.0, f64::max);
+        let size =
+            self.left.iter().chain(&self.right).map(|&point| (point - self.left[0]).length()).fold(0.0, f64::max);
         let candidates = [self.derivative(), from_2, from_3, to_1, to_0];
         candidates.into_iter().find(|way| way.length() > NO_LENGTH * size).unwrap_or(Vec3::ZERO)
     }

@@ -118,7 +118,10 @@ fn cone_about_z(bottom_radius: f64, top_radius: f64, length: f64) -> cone::Cone 
 }
 
 #[cfg(test)]
-#[path = "shape_tests.rs"]
+mod net_tests;
+#[cfg(test)]
 mod shape_tests;
+#[cfg(test)]
+mod test_bodies;
 #[cfg(test)]
 mod tests;

@@ -34,8 +34,7 @@ pub(super) fn patches(net: &PatchNet, detail: Detail, sheet: &mut Sheet<'_>) {
         for (j, i) in (0..=n).flat_map(|j| (0..=n).map(move |i| (j, i))) {
             let (position, normal) = patch.vertex(At::step(i, n), At::step(j, n));
             let on_border = i == 0 || i == n || j == 0 || j == n;
-            let vertex =
-                if on_border { weld.vertex(position, normal, sheet) } else { sheet.vertex(position, normal) };
+            let vertex = if on_border { weld.vertex(position, normal, sheet) } else { sheet.vertex(position, normal) };
             grid.push(vertex);
         }
         let at = |i: u32, j: u32| grid[(j * (n + 1) + i) as usize];

@@ -73,7 +73,7 @@ pub fn segments(shape: &Shape, eye_from_local: &Affine3, lens: &Lens, tolerance:
         let half_axes = [axis(Vec3::X, radii.x), axis(Vec3::Y, radii.y), axis(Vec3::Z, radii.z)];
         lens.ellipse_radius(eye_from_local.transform_point3(center), &half_axes)
     };
-    let seen = curved::Seen { eye_from_local, lens, tolerance };
+    let seen = curved::Seen { eye_from_local, lens, tolerance: tolerance.max(0.0) };
     let both = |n: u32| [n, n];
     match *shape {
         Shape::Sphere { center, radius } => {

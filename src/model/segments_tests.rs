@@ -6,21 +6,21 @@ use crate::model::{Detail, tessellate};
 use crate::scene::Mesh;
 
 /// Numbers 0..1 without a pattern that matters (xorshift64*).
-struct Random(u64);
+pub(super) struct Random(pub u64);
 
 impl Random {
-    fn next(&mut self) -> f64 {
+    pub fn next(&mut self) -> f64 {
         self.0 ^= self.0 >> 12;
         self.0 ^= self.0 << 25;
         self.0 ^= self.0 >> 27;
         (self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    fn between(&mut self, low: f64, high: f64) -> f64 {
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.next()
     }
 
-    fn direction(&mut self) -> Vec3 {
+    pub fn direction(&mut self) -> Vec3 {
         let v = Vec3::new(self.between(-1.0, 1.0), self.between(-1.0, 1.0), self.between(-1.0, 1.0));
         if v.length() < 1.0 { unit(v).unwrap_or(Vec3::X) } else { self.direction() }
     }
@@ -28,7 +28,7 @@ impl Random {
 
 const HITHER: f64 = 0.01;
 
-fn image(lens: &Lens, point: Vec3) -> Vec2 {
+pub(super) fn image(lens: &Lens, point: Vec3) -> Vec2 {
     point.truncate() * (lens.pixels_per_unit_tangent / point.z)
 }
 
@@ -91,14 +91,14 @@ fn ellipse_outline(lens: &Lens, center: Vec3, axes: [Vec3; 2], scale: f64) -> Ve
     points.collect()
 }
 
-struct Sample {
-    lens: Lens,
-    center: Vec3,
-    radius: f64,
+pub(super) struct Sample {
+    pub lens: Lens,
+    pub center: Vec3,
+    pub radius: f64,
 }
 
 /// A ball of 1 to 500 pixels that is wholly in view, under an opening of 20 to 100 degrees.
-fn ball_in_view(random: &mut Random) -> Sample {
+pub(super) fn ball_in_view(random: &mut Random) -> Sample {
     loop {
         let half_field = random.between(10.0, 50.0).to_radians();
         let lens = Lens {

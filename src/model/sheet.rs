@@ -76,8 +76,11 @@ impl Sheet<'_> {
         }
         self.nonplanar += 1;
         // The shorter diagonal makes the rounder triangles. Both halves keep the quad's order of corners.
-        let halves =
-            if first.length_squared() <= second.length_squared() { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] };
+        let halves = if first.length_squared() <= second.length_squared() {
+            [[a, b, c], [a, c, d]]
+        } else {
+            [[a, b, d], [b, c, d]]
+        };
         halves.into_iter().for_each(|triangle| self.facet(triangle));
     }
 
@@ -125,10 +128,9 @@ mod tests {
 
     #[test]
     fn the_cut_is_the_shorter_diagonal_and_keeps_the_first_corner() {
-        for (third, expected) in [
-            (Vec3::new(0.6, 0.6, 0.2), [0, 1, 2, 0, 2, 3]),
-            (Vec3::new(1.5, 1.5, 0.2), [0, 1, 3, 1, 2, 3]),
-        ] {
+        for (third, expected) in
+            [(Vec3::new(0.6, 0.6, 0.2), [0, 1, 2, 0, 2, 3]), (Vec3::new(1.5, 1.5, 0.2), [0, 1, 3, 1, 2, 3])]
+        {
             let mut mesh = Mesh::default();
             let mut sheet = Sheet { mesh: &mut mesh, inside: false, line: 1, nonplanar: 0 };
             let corners = [Vec3::ZERO, Vec3::X, third, Vec3::Y].map(|corner| sheet.vertex(corner, Vec3::Z));

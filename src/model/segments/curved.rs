@@ -165,3 +165,7 @@ impl Body {
         lens.pixels_per_unit_tangent * secant / depth
     }
 }
+
+#[cfg(test)]
+#[path = "curved_tests.rs"]
+mod tests;
