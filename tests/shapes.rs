@@ -193,7 +193,9 @@ fn from_outside_no_back_is_seen_mirrored_or_not() {
                 let picture = |culling| draw(&scene, &Choices { culling, ..Choices::default() });
                 let (culled, whole) = (picture(Culling::Back), picture(Culling::None));
                 let seen = unlike(&culled.image, &whole.image, 1e-3);
-                assert!(seen <= 6, "{shape:?} {map:?} from {from}: {seen} pixels of backs");
+                // Rounding at silhouettes; and one sees into the mouth of the spout.
+                let limit = if shape == Shape::Teapot(TeapotPart::Whole) { 30 } else { 6 };
+                assert!(seen <= limit, "{shape:?} {map:?} from {from}: {seen} pixels of backs");
                 let made = culled.counts.tessellated;
                 assert!(culled.puts.puts > 100 && made.backfacing > 0 && made.rendered > 0, "{shape:?}");
             }
