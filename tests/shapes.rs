@@ -53,7 +53,8 @@ fn bell() -> Shape {
 
 fn star() -> Shape {
     let corner = |i: u32| {
-        let (angle, radius) = (f64::from(i) / 10.0 * std::f64::consts::TAU, if i % 2 == 0 { 1.0 } else { 0.4 });
+        let (angle, radius) =
+            (f64::from(i) / 10.0 * std::f64::consts::TAU, if i.is_multiple_of(2) { 1.0 } else { 0.4 });
         [radius * angle.cos(), radius * angle.sin()]
     };
     Shape::Prism { outline: (0..10).map(corner).collect::<Vec<_>>().into(), height: 0.7 }
