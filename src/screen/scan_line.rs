@@ -79,3 +79,39 @@ impl ScanLine {
 fn lerp(a: f64, b: f64, share: f64) -> f64 {
     a * (1.0 - share) + b * share
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::Vec3;
+    use crate::screen::EdgeKind;
+
+    fn value(outline: &[(f64, f64)], values: &[f64], (x, y): (i32, i32)) -> Option<f64> {
+        let edge = EdgeKind::Original;
+        let corners: Vec<_> =
+            outline.iter().map(|&(x, y)| ScreenVertex { x, y, homogeneous: Vec3::new(x, y, 1.0), edge }).collect();
+        ScanLine::around(&corners, x, y).map(|line| line.value(|corner| values[corner]))
+    }
+
+    #[test]
+    fn the_middle_of_a_square_changes_when_the_square_is_turned() {
+        let upright = [(0.5, 0.5), (4.5, 0.5), (4.5, 4.5), (0.5, 4.5)];
+        let on_its_corner = [(2.5, -0.5), (5.5, 2.5), (2.5, 5.5), (-0.5, 2.5)];
+        assert_eq!(value(&upright, &[0.0, 1.0, 0.0, 1.0], (2, 2)), Some(0.5));
+        assert_eq!(value(&on_its_corner, &[0.0, 1.0, 0.0, 1.0], (2, 2)), Some(1.0));
+    }
+
+    #[test]
+    fn beyond_a_notch_the_next_pair_of_crossings_counts() {
+        // A "V": at row 1 it is 0 to 2.25 and 6.75 to 9, and the notch between has no part in either.
+        let v = [(0.0, 0.0), (1.5, 0.0), (4.5, 6.0), (7.5, 0.0), (9.0, 0.0), (6.0, 9.0), (3.0, 9.0)];
+        let values = [0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 0.0];
+        assert_eq!(value(&v, &values, (1, 1)), Some(0.0));
+        assert!(value(&v, &values, (7, 1)).is_some_and(|value| value > 0.7));
+    }
+
+    #[test]
+    fn a_line_that_misses_the_outline_has_no_value() {
+        assert_eq!(value(&[(0.0, 0.0), (2.0, 0.0), (0.0, 2.0)], &[1.0; 3], (0, 5)), None);
+    }
+}
