@@ -193,22 +193,19 @@ fn is_near_outline(corners: &[(f64, f64); 3], (x, y): (f64, f64)) -> bool {
 
 // 3. Light after clipping: the side of the picture slides over a triangle.
 
-/// A triangle with normals that fan out, reaching over the left and right side; `shine` fills in Kd, Ks and the power.
+/// scenes/cut_fan.nff with the Kd, Ks and power of `shine`.
 fn fan(shine: &str) -> Scene {
-    let text = format!(
-        "b 0 0 0\nv\nfrom 0 0 4\nat 0 0 0\nup 0 1 0\nangle 45\nhither 1\nresolution 128 128\nl 1 1 3\nf 1 1 1 {shine} 0 0\n\
-         pp 3\n-6 -1.5 0 -1 -0.2 0.6\n6 -1.5 0 1 -0.2 0.6\n0 1.5 0 0 0.8 0.6\n"
-    );
+    let text = include_str!("../scenes/cut_fan.nff").replace("0.2 0.8 10", shine);
     read("fan", text.as_bytes(), ParseOptions::default())
 }
 
 fn relight_at_the_side() {
     println!(
-        "\na triangle reaches over both sides of the picture; the sides move in by 1 pixel a step, 256 to 128 pixels wide,"
+        "\nthe right side of the picture cuts a triangle and moves in by 1 pixel a step, from 256 to 128 pixels wide,"
     );
     println!("the eye stays. Change of a pixel that stays in view, in levels:");
     println!("{:<24} {:<14} {:>12} {:>14}", "surface", "clip light", "max a step", "max in all");
-    for (name, shine) in [("Kd .8", "0.8 0 1"), ("Ks .8, power 1", "0.2 0.8 1"), ("Ks .8, power 100", "0.2 0.8 100")] {
+    for (name, shine) in [("Kd .8", "0.8 0 1"), ("Ks .8, power 1", "0.2 0.8 1"), ("Ks .8, power 10", "0.2 0.8 10")] {
         for clip_light in [ClipLight::Interpolate, ClipLight::Relight] {
             let scene = fan(shine);
             let wide = |width| {
@@ -245,10 +242,8 @@ fn change(wide: &Picture, narrow: &Picture) -> u8 {
 // 4. Interpolation while the camera rolls.
 
 /// A square seen at a slant whose corners are bright and dark in turn.
-fn checkered() -> Scene {
-    let text = "b 0 0 0\nv\nfrom 0 -3.2 1.6\nat 0 0 0\nup 0 0 1\nangle 45\nhither 0.1\nresolution 512 512\nl 0 0 100\n\
-                f 1 1 1 1 0 1 0 0\npp 4\n-1 -1 0 0 0 1\n1 -1 0 1 0 0.05\n1 1 0 0 0 1\n-1 1 0 -1 0 0.05\n";
-    read("checkered", text.as_bytes(), ParseOptions::default())
+fn square() -> Scene {
+    read("square", include_bytes!("../scenes/slanted_square.nff"), ParseOptions::default())
 }
 
 fn roll() {
@@ -261,11 +256,11 @@ fn roll() {
     println!("{:<12} {:>5} {:>19} {:>26}", "values run", "roll", "to itself upright", "to perspective, same roll");
     for interpolation in [Interpolation::Perspective, Interpolation::Screen, Interpolation::ScanLine] {
         for degrees in [0.0, 15.0, 30.0, 45.0] {
-            let linear = Choices { encoding: farop::color::Encoding::Linear, ..base() };
+            let (ambient, light_intensity) = (Some(0.05), Some(0.95));
+            let linear = Choices { encoding: farop::color::Encoding::Linear, ambient, light_intensity, ..base() };
             let choices = Choices { interpolation, ..linear.clone() };
-            let (upright, turned) =
-                (picture(&checkered(), &choices), picture(&rolled(&checkered(), degrees), &choices));
-            let reference = picture(&rolled(&checkered(), degrees), &linear);
+            let (upright, turned) = (picture(&square(), &choices), picture(&rolled(&square(), degrees), &choices));
+            let reference = picture(&rolled(&square(), degrees), &linear);
             let (own_max, own_mean) = turned_back(&upright, &turned, degrees);
             let (_, max, mean) = difference(&reference, &turned);
             println!("{:<12} {degrees:>5} {own_max:>11} {own_mean:>7.2} {max:>17} {mean:>8.2}", interpolation.name());
