@@ -241,14 +241,14 @@ fn change(wide: &Picture, narrow: &Picture) -> u8 {
 
 // 4. Interpolation while the camera rolls.
 
-/// A square seen at a slant whose corners are bright and dark in turn.
-fn square() -> Scene {
-    read("square", include_bytes!("../scenes/slanted_square.nff"), ParseOptions::default())
+/// A kite seen at a slant whose corners are bright and dark in turn.
+fn kite() -> Scene {
+    read("kite", include_bytes!("../scenes/slanted_kite.nff"), ParseOptions::default())
 }
 
 fn roll() {
     println!(
-        "\na slanted square, corners bright and dark in turn; the camera rolls. Levels, {SIDE} x {SIDE}, linear encoding:"
+        "\na slanted kite, corners bright and dark in turn; the camera rolls. Levels, {SIDE} x {SIDE}, linear encoding:"
     );
     println!(
         "to itself upright: the same point, the picture turned back (nearest pixel, so 1 or 2 levels mean nothing)"
@@ -259,8 +259,8 @@ fn roll() {
             let (ambient, light_intensity) = (Some(0.05), Some(0.95));
             let linear = Choices { encoding: farop::color::Encoding::Linear, ambient, light_intensity, ..base() };
             let choices = Choices { interpolation, ..linear.clone() };
-            let (upright, turned) = (picture(&square(), &choices), picture(&rolled(&square(), degrees), &choices));
-            let reference = picture(&rolled(&square(), degrees), &linear);
+            let (upright, turned) = (picture(&kite(), &choices), picture(&rolled(&kite(), degrees), &choices));
+            let reference = picture(&rolled(&kite(), degrees), &linear);
             let (own_max, own_mean) = turned_back(&upright, &turned, degrees);
             let (_, max, mean) = difference(&reference, &turned);
             println!("{:<12} {degrees:>5} {own_max:>11} {own_mean:>7.2} {max:>17} {mean:>8.2}", interpolation.name());
@@ -268,7 +268,7 @@ fn roll() {
     }
 }
 
-/// Largest and mean difference of pixels that show the square in both pictures, `turned` turned back by `degrees`.
+/// Largest and mean difference of pixels that show the kite in both pictures, `turned` turned back by `degrees`.
 fn turned_back(upright: &Picture, turned: &Picture, degrees: f64) -> (u8, f64) {
     let (c, s, half) = (cos(radians(degrees)), sin(radians(degrees)), f64::from(SIDE) / 2.0);
     let (mut max, mut sum, mut count) = (0, 0.0, 0.0);
@@ -280,7 +280,7 @@ fn turned_back(upright: &Picture, turned: &Picture, degrees: f64) -> (u8, f64) {
             let inside = |v: f64| (0.0..f64::from(SIDE)).contains(&v).then_some(v as usize);
             let (Some(from_x), Some(from_y)) = (inside(from_x), inside(from_y)) else { continue };
             let (a, b) = (upright.pixel(x, y)[1], turned.pixel(from_x, from_y)[1]);
-            // The square's ambient light is above 0, the background is 0.
+            // The kite's ambient light is above 0, the background is 0.
             if a > 0 && b > 0 {
                 let level = a.abs_diff(b);
                 (max, sum, count) = (max.max(level), sum + f64::from(level), count + 1.0);

@@ -154,7 +154,7 @@ fn every_rasterizer_draws_the_same_scan_lines() {
 
 #[test]
 fn over_triangles_scan_lines_are_planes_on_the_screen() {
-    let triangles = "pp 3\n-3 -3 2 0 0 1\n3 -3 2 0.6 0 0.8\n0 3 -4 0 0 1\npp 3\n-3 -2 -1 0.8 0 0.6\n3 -2 1 0.6 0 0.8\n0 3 0 0 0.6 0.8\n";
+    let triangles = "pp 3\n-2.5 -2.5 2 0 0 1\n2.5 -2.5 2 0.6 0 0.8\n0 3 -4 0 0 1\npp 3\n-3 -2 -1 0.8 0 0.6\n3 -2 1 0.6 0 0.8\n0 3 0 0 0.6 0.8\n";
     let scene = read(&format!("{VIEW}{triangles}"), NormalSource::Facet);
     let drawn = |interpolation| {
         let choices = Choices { interpolation, size: Some((96, 96)), ..Choices::default() };
