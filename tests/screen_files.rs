@@ -2,7 +2,7 @@
 
 use farop::color::{Encoding, Rgb};
 use farop::math::{Affine3, Vec3};
-use farop::plan::{Choices, ClipLight, DepthFormat, Interpolation, Shading, Transparency, Varying};
+use farop::plan::{Choices, ClipLight, DepthFormat, FlatRule, Interpolation, Shading, Transparency, Varying};
 use farop::raster::{PerPolygon, Rasterizer, Wire, ZBuffer};
 use farop::render::{self, Canvas};
 use farop::scene::{Camera, Light, Material, Mesh, NormalSource, Object, Place, Scene, Surface};
@@ -114,6 +114,9 @@ fn all_choices() -> Vec<Choices> {
         Choices { shading: Shading::Wire, ..choices() },
         Choices { depth: DepthFormat::F64, shading: Shading::Phong, ..choices() },
         Choices { interpolation: Interpolation::Screen, subpixel_bits: 4, ..choices() },
+        Choices { interpolation: Interpolation::ScanLine, ..choices() },
+        Choices { interpolation: Interpolation::ScanLine, shading: Shading::Phong, ..choices() },
+        Choices { flat: FlatRule::Sipp, shading: Shading::Flat, ..choices() },
         Choices { transparency: Transparency::Additive, encoding: Encoding::Linear, ..choices() },
     ]
 }

@@ -3,7 +3,8 @@
 use crate::color::{Encoding, Rgb};
 use crate::math::Vec3;
 use crate::plan::{
-    AngleSpan, Choices, ClipLight, Culling, DepthFormat, Interpolation, LightTerms, NeedsMode, Shading, Transparency,
+    AngleSpan, Choices, ClipLight, Culling, DepthFormat, FlatRule, Interpolation, LightTerms, NeedsMode, Shading,
+    Transparency,
 };
 use crate::scene::{Camera, Light, Place, Scene};
 use clap::Args;
@@ -39,9 +40,12 @@ pub(super) struct PictureOptions {
     /// interpolate, or relight: light cut vertices anew, as in 1996
     #[arg(long, value_name = "HOW", default_value = "interpolate")]
     clip_light: ClipLight,
-    /// perspective or screen
+    /// perspective, screen, or scanline: along edges and scan lines of whole polygons, as in 1971
     #[arg(long, value_name = "HOW", default_value = "perspective")]
     interpolation: Interpolation,
+    /// Normal of flat shading: face, or sipp: the mean one at the first vertex clipping leaves
+    #[arg(long, value_name = "RULE", default_value = "face")]
+    flat: FlatRule,
     /// over, or additive (SIPP's rule)
     #[arg(long, value_name = "RULE", default_value = "over")]
     transparency: Transparency,
@@ -120,6 +124,7 @@ impl PictureOptions {
             culling: self.culling,
             clip_light: self.clip_light,
             interpolation: self.interpolation,
+            flat: self.flat,
             transparency: self.transparency,
             encoding: self.encoding,
             ambient: self.view.ambient,

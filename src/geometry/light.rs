@@ -3,7 +3,7 @@
 //! cull, clip -> LIGHT -> split, project
 //!
 //! Gouraud: the color at every vertex, computed once per shared vertex and side. Flat: one color, the light at the
-//! polygon's first vertex with the face's normal. Phong: the normal; light is for the rasterizer to compute.
+//! polygon's first vertex with the face's normal (`--flat sipp`: the first that clipping leaves, the mean normal). Phong: the normal; light is for the rasterizer to compute.
 //! A facet (NFF's `p`) has its own normal at all corners, so its vertices are lit per polygon.
 //!
 //! Space: eye space; normals are turned to the side that the eye sees.
@@ -14,7 +14,7 @@ use super::walk::EyeMesh;
 use super::{Corners, Facing, Part};
 use crate::color::Rgb;
 use crate::math::Vec3;
-use crate::plan::{ClipLight, Interpolation, Plan, Shading};
+use crate::plan::{ClipLight, FlatRule, Interpolation, Plan, Shading};
 use crate::scene::{Light, Material, NormalSource, Place, Scene};
 use crate::screen::Shader;
 use crate::screen::shader::{EyeLight, SurfaceShading};
@@ -29,6 +29,8 @@ pub(super) struct Lighting {
     specular: bool,
     /// Cut vertices are lit anew.
     relight: bool,
+    /// One color a polygon, from the mean normal at the first vertex that clipping leaves.
+    sipp_flat: bool,
     /// Values run linearly on the screen.
     screen: bool,
     ambient: f64,
@@ -52,7 +54,8 @@ impl Lighting {
             blending: plan.needs.blending && choices.shading != Shading::Wire,
             specular: plan.needs.specular,
             relight: choices.clip_light == ClipLight::Relight && choices.shading == Shading::Gouraud,
-            screen: choices.interpolation == Interpolation::Screen,
+            sipp_flat: choices.flat == FlatRule::Sipp,
+            screen: choices.interpolation != Interpolation::Perspective,
             ambient: plan.ambient,
             plan: LightPlan { encoding: choices.encoding, terms: choices.light_terms },
             vertices_lit: 0,
@@ -110,7 +113,7 @@ impl Lighting {
             return 0;
         }
         let face_normal = facing.normal_towards_eye();
-        if self.shading == Shading::Flat {
+        if self.shading == Shading::Flat && !self.sipp_flat {
             let color = self.light(shader, part.shading, corners.eye[0], face_normal);
             corners.clip.iter_mut().for_each(|vertex| write(vertex, color.to_array()));
             return 3;
@@ -118,9 +121,10 @@ impl Lighting {
         for (corner, vertex) in corners.clip.iter_mut().enumerate() {
             let index = corners.outline[corner] as usize;
             let own = eye_mesh.normals.get(index).copied().filter(|&normal| normal != Vec3::ZERO);
-            let shared = own.filter(|_| source != NormalSource::Facet);
+            // SIPP knows no facets: polygons of one surface share their normals.
+            let shared = own.filter(|_| source != NormalSource::Facet || self.sipp_flat);
             let normal = shared.map_or(face_normal, |normal| if facing.is_back() { -normal } else { normal });
-            if self.relight || self.shading == Shading::Phong {
+            if self.relight || self.sipp_flat || self.shading == Shading::Phong {
                 write(vertex, normal.to_array());
                 continue;
             }
@@ -136,23 +140,29 @@ impl Lighting {
         3
     }
 
-    /// FAROP's order: lights the vertices that are left after clipping, from their normals.
+    /// FAROP's order: lights the vertices that are left after clipping, from their normals; SIPP's flat shading the first.
     pub fn relight(&mut self, surface: u32, clipped: &mut [ClipVertex], (kx, ky): (f64, f64), shader: &mut Shader) {
-        if !self.relight || !self.needed {
+        if !(self.relight || self.sipp_flat) || !self.needed {
             return;
         }
-        for vertex in clipped {
+        let only_first = self.sipp_flat;
+        let mut light = |vertex: &ClipVertex| {
             let eye = Vec3::new(vertex.position.x / kx, vertex.position.y / ky, vertex.position.z);
             let [x, y, z, ..] = vertex.attributes;
             let normal = crate::math::unit(Vec3::new(x, y, z)).unwrap_or(Vec3::NEG_Z);
-            let color = self.light(shader, surface, eye, normal);
-            write(vertex, color.to_array());
+            self.light(shader, surface, eye, normal).to_array()
+        };
+        if only_first {
+            let color = light(&clipped[0]);
+            clipped.iter_mut().for_each(|vertex| write(vertex, color));
+        } else {
+            clipped.iter_mut().for_each(|vertex| write(vertex, light(vertex)));
         }
     }
 
     /// Whether values belong to the clipped vertices rather than to those of the scene.
     pub fn belongs_to_clipped(&self) -> bool {
-        self.relight || self.screen
+        self.relight || self.sipp_flat || self.screen
     }
 
     /// Whether what varies is linear over the polygon: all values equal, or three vertices before clipping.

@@ -39,6 +39,7 @@ pub(super) struct Projector {
     screen: ScreenMap,
     varying: Varying,
     has_depth: bool,
+    scan_line: bool,
     eye: Vec<Vec3>,
     triangles: Vec<[u32; 3]>,
     scratch: SplitScratch,
@@ -71,6 +72,7 @@ impl Projector {
             screen,
             varying: plan.varying(),
             has_depth: plan.needs.depth,
+            scan_line: choices.interpolation == Interpolation::ScanLine,
             eye: Vec::new(),
             triangles: Vec::new(),
             scratch: SplitScratch::default(),
@@ -180,9 +182,14 @@ impl Projector {
         let three = self.three_corners(outline, triangle);
         let corners = if outline.affine { 0..self.clipped.len() } else { 0..0 };
         let corners = corners.chain(triangle.iter().map(|&corner| corner as usize).filter(|_| !outline.affine));
+        // Over more corners than a plane has room for, the scan line decides (`ScreenPolygon::values`).
+        let along_scan_lines = self.scan_line && !outline.affine;
         for number in 0..3 {
             let value = |corner: usize| (self.clipped[corner].attributes[number], self.clipped[corner].position.z);
-            let plane = self.value_plane(&three, inverse_w, number, corners.clone().map(value));
+            let plane = match along_scan_lines {
+                true => self.scan_line_rule(number),
+                false => self.value_plane(&three, inverse_w, number, corners.clone().map(value)),
+            };
             list.planes.push(plane);
         }
         if self.varying == Varying::NormalEye {
@@ -229,6 +236,15 @@ impl Projector {
             // A triangle without area covers next to nothing; its first corner speaks for it.
             None => Plane::constant(values[0], self.screen.precision),
         }
+    }
+
+    /// In place of a plane: the mark that a number runs along scan lines, with its range at the corners.
+    fn scan_line_rule(&self, number: usize) -> Plane {
+        let range = range(self.clipped.iter().map(|vertex| vertex.attributes[number]));
+        if range.0 == range.1 {
+            return Plane::constant(range.0, self.screen.precision);
+        }
+        Plane::along_scan_lines(range, self.screen.precision)
     }
 
     /// Planes of the eye point: x/w = X, y/w = Y and z/w = 1, exactly, whatever the polygon.

@@ -12,7 +12,7 @@
 use crate::math::{Affine3, Mat3, Vec3, unit};
 use crate::model::segments::Lens;
 use crate::model::{self, Detail};
-use crate::plan::{ClipPlane, Plan, View, is_outside};
+use crate::plan::{ClipPlane, FlatRule, Plan, View, is_outside};
 use crate::report::Work;
 use crate::scene::{Mesh, NormalSource, Primitive, Shape};
 
@@ -44,7 +44,7 @@ impl EyeMesh {
         });
         self.normals.clear();
         if plan.needs.light {
-            self.turn_normals(mesh, world_from_local, view, work);
+            self.turn_normals(mesh, world_from_local, plan, work);
         }
     }
 
@@ -75,8 +75,11 @@ impl EyeMesh {
         }));
     }
 
-    fn turn_normals(&mut self, mesh: &Mesh, world_from_local: &Affine3, view: &View, work: &mut Work) {
-        let averaged = mesh.polygons.iter().any(|polygon| polygon.normals == NormalSource::Averaged);
+    fn turn_normals(&mut self, mesh: &Mesh, world_from_local: &Affine3, plan: &Plan, work: &mut Work) {
+        let view = &plan.view;
+        let sipp_flat = plan.choices.flat == FlatRule::Sipp;
+        let needs_mean = |source| source == NormalSource::Averaged || (sipp_flat && source == NormalSource::Facet);
+        let averaged = mesh.polygons.iter().any(|polygon| needs_mean(polygon.normals));
         if averaged {
             model::averaged_normals(mesh, &mut self.averaged);
         }

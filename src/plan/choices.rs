@@ -28,6 +28,8 @@ pub struct Choices {
     pub clip_light: ClipLight,
     /// How colors run between vertices.
     pub interpolation: Interpolation,
+    /// Where flat shading takes its one normal from.
+    pub flat: FlatRule,
     /// How transparent layers add up.
     pub transparency: Transparency,
     /// What scene colors and picture levels mean.
@@ -63,6 +65,7 @@ impl Default for Choices {
             culling: Culling::Back,
             clip_light: ClipLight::Interpolate,
             interpolation: Interpolation::Perspective,
+            flat: FlatRule::Face,
             transparency: Transparency::Over,
             encoding: Encoding::Srgb,
             ambient: None,
@@ -164,8 +167,20 @@ named_choice! {
     Interpolation {
         /// Linearly on the polygon in space.
         Perspective = "perspective",
-        /// Linearly on the screen, as in 1971: wrong where depth varies.
+        /// Linearly on the screen, triangle by triangle: wrong where depth varies.
         Screen = "screen",
+        /// Along the edges on the screen, then along the scan line, over whole polygons (Gouraud 1971): turns with the camera.
+        ScanLine = "scanline",
+    }
+}
+
+named_choice! {
+    /// Where flat shading takes its one normal from.
+    FlatRule {
+        /// The face's own, at the polygon's first vertex in the file: the same wherever the camera stands.
+        Face = "face",
+        /// SIPP's: the mean of the faces around it, at the first vertex that clipping leaves.
+        Sipp = "sipp",
     }
 }
 

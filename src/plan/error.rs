@@ -67,6 +67,17 @@ pub enum PlanError {
     /// A tessellation without segments.
     #[error("a resolution of {0}: it must be from 1 to 1000")]
     Resolution(u32),
+    /// SIPP's rule for flat shading under another shading.
+    #[error("--flat sipp is a rule for flat shading, and the shading is {0}: add -s flat, or leave --flat out")]
+    FlatRuleWithoutFlat(&'static str),
+    /// Scan-line interpolation where nothing varies.
+    #[error("--interpolation scanline has nothing to interpolate with {0} shading: choose -s gouraud or -s phong")]
+    NothingToInterpolate(&'static str),
+    /// Scan-line interpolation without polygons to run over.
+    #[error(
+        "--interpolation scanline runs over whole polygons, and {0}; over a triangle it is --interpolation screen: choose that"
+    )]
+    ScanLineNeedsPolygons(&'static str),
     /// Objects that use each other multiply.
     #[error(transparent)]
     TooManyInstances(#[from] crate::scene::InstanceBudgetExceeded),

@@ -1,6 +1,6 @@
 //! The plan in words: each need, what it is, why, and what leaving it out saves.
 
-use super::{ClipPlane, NeedsMode, Plan, Shading, Split};
+use super::{ClipPlane, FlatRule, Interpolation, NeedsMode, Plan, Shading, Split};
 
 /// One row of `farop plan`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -54,6 +54,11 @@ impl Plan {
         let (vertices, lights) = (self.survey.vertices, self.survey.lights);
         if self.needs.light && self.choices.shading != Shading::Wire {
             let per = if self.choices.shading == Shading::Phong { "at every sample" } else { "at the vertices" };
+            let per = if self.choices.flat == FlatRule::Sipp {
+                "at the first vertex clipping leaves, mean normal"
+            } else {
+                per
+            };
             return row("normals", "yes".into(), format!("shading is {shading}: light {per}"), String::new());
         }
         let saving = format!("normals and {lights} lights at {vertices} vertices");
@@ -96,6 +101,10 @@ impl Plan {
         let (decision, reason) = match self.needs.split {
             Split::All if self.choices.triangles => ("all".into(), "--triangles".into()),
             Split::All => ("all".into(), "the rasterizer takes triangles only".into()),
+            Split::None if self.choices.interpolation == Interpolation::ScanLine => {
+                let reason = format!("--interpolation scanline runs {shading} along scan lines over whole polygons");
+                ("no".into(), reason)
+            }
             Split::None => {
                 ("no".into(), format!("the rasterizer takes any polygon, and {shading} varies nothing over it"))
             }
@@ -108,10 +117,10 @@ impl Plan {
                 (format!("up to {many} of {} polygons", self.survey.polygons), reason)
             }
         };
-        let saving = if self.needs.split == Split::All {
-            String::new()
-        } else {
-            format!("{} polygons stay whole", self.survey.polygons - many)
+        let saving = match self.needs.split {
+            Split::All => String::new(),
+            Split::None => format!("{} polygons stay whole", self.survey.polygons),
+            Split::NotAffine => format!("{} polygons stay whole", self.survey.polygons - many),
         };
         row("split", decision, reason, saving)
     }

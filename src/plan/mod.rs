@@ -13,7 +13,8 @@ mod needs;
 mod view;
 
 pub use choices::{
-    AngleSpan, Choices, ClipLight, Culling, DepthFormat, Interpolation, LightTerms, NeedsMode, Shading, Transparency,
+    AngleSpan, Choices, ClipLight, Culling, DepthFormat, FlatRule, Interpolation, LightTerms, NeedsMode, Shading,
+    Transparency,
 };
 pub use error::PlanError;
 pub use explain::PlanRow;
@@ -80,6 +81,7 @@ impl Plan {
     /// [`PlanError`] when the scene has no usable view or the choices contradict each other.
     pub fn new(scene: &Scene, choices: &Choices, accepts: Accepts) -> Result<Plan, PlanError> {
         check(choices)?;
+        check_history(choices, accepts)?;
         let camera = scene.camera.as_ref().ok_or(PlanError::NoCamera)?;
         let view = View::new(camera, choices)?;
         if matches!(choices.depth, DepthFormat::Int16 | DepthFormat::Int24) && view.yon.is_infinite() {
@@ -124,6 +126,27 @@ fn check(choices: &Choices) -> Result<(), PlanError> {
     }
     if let Some(resolution) = choices.resolution.filter(|&resolution| resolution == 0 || resolution > 1000) {
         return Err(PlanError::Resolution(resolution));
+    }
+    Ok(())
+}
+
+/// Historic rules that the other choices leave nothing to do for: an error rather than silence.
+fn check_history(choices: &Choices, accepts: Accepts) -> Result<(), PlanError> {
+    let shading = choices.shading;
+    if choices.flat == FlatRule::Sipp && shading != Shading::Flat {
+        return Err(PlanError::FlatRuleWithoutFlat(shading.name()));
+    }
+    if choices.interpolation != Interpolation::ScanLine {
+        return Ok(());
+    }
+    if matches!(shading, Shading::Flat | Shading::Wire) {
+        return Err(PlanError::NothingToInterpolate(shading.name()));
+    }
+    if choices.triangles {
+        return Err(PlanError::ScanLineNeedsPolygons("--triangles splits all"));
+    }
+    if accepts == Accepts::Triangles {
+        return Err(PlanError::ScanLineNeedsPolygons("the rasterizer takes triangles only"));
     }
     Ok(())
 }

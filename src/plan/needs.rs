@@ -3,7 +3,7 @@
 //! Space: boxes and spheres are tested in eye space, with a margin far above rounding: a plane is left out only when
 //! nothing comes near it.
 
-use super::{Accepts, Choices, PlanError, Shading, View};
+use super::{Accepts, Choices, Interpolation, PlanError, Shading, View};
 use crate::math::{Affine3, Vec3};
 use crate::model::bounding_ball;
 use crate::scene::{Mesh, Scene, Shape};
@@ -124,6 +124,8 @@ impl Needs {
 fn split(choices: &Choices, accepts: Accepts) -> Split {
     match (choices.triangles || accepts == Accepts::Triangles, choices.shading) {
         (true, _) => Split::All,
+        // Values run along scan lines, over outlines of any number of corners.
+        (false, _) if choices.interpolation == Interpolation::ScanLine => Split::None,
         (false, Shading::Gouraud | Shading::Phong) => Split::NotAffine,
         (false, Shading::Flat | Shading::Wire) => Split::None,
     }

@@ -187,7 +187,7 @@ fn draw_span(
         let inverse_w = plane.clamp(f64::from(inverse_w));
         let depth = list.depth_mapping.apply(inverse_w);
         if depth > target.depth(column, row) {
-            let color = list.shader.color(polygon, &polygon.values_from(inverse_w, &over_w));
+            let color = list.shader.color(polygon, &polygon.values_from((column, row), inverse_w, &over_w));
             let opacity = list.shader.opacity(polygon);
             target.put(Fragment { x: column, y: row, depth, color, opacity, polygon: polygon.index });
         }

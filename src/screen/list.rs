@@ -17,7 +17,7 @@ pub struct DrawList {
     pub grid: Grid,
     /// What varies over a polygon.
     pub varying: Varying,
-    /// Whether what varies is linear in space or on the screen.
+    /// Whether what varies is linear in space, on the screen, or along edges and scan lines.
     pub interpolation: Interpolation,
     /// Digits of the planes.
     pub precision: Precision,

@@ -15,6 +15,7 @@ mod grid;
 mod list;
 mod plane;
 mod polygon;
+mod scan_line;
 pub mod shader;
 
 pub use fragment::{Fragment, Values};

@@ -38,6 +38,8 @@ pub enum Evaluation {
     Samples,
     /// In `f64` at every sample, not rounded.
     Double,
+    /// No plane at all: the polygon's corners decide, along its edges and the scan line ([`super::ScreenPolygon::values`]).
+    ScanLine,
 }
 
 /// A value that is linear on the screen: `a x + b y + c`, with the range it has at the polygon's vertices.
@@ -63,6 +65,13 @@ impl Plane {
     pub fn constant(value: f64, precision: Precision) -> Plane {
         let value = round(value, precision);
         Plane { a: 0.0, b: 0.0, c: value, low: value, high: value, evaluation: Evaluation::Constant }
+    }
+
+    /// The mark of a value that is not linear over the polygon and runs along its edges and scan lines.
+    #[must_use]
+    pub fn along_scan_lines(value_range: (f64, f64), precision: Precision) -> Plane {
+        let (low, high) = (round(value_range.0, precision), round(value_range.1, precision));
+        Plane { a: 0.0, b: 0.0, c: low, low, high, evaluation: Evaluation::ScanLine }
     }
 
     /// The plane of `coefficients` (a, b, c); `plane_range` is the range of the plane itself at the polygon's vertices
@@ -91,7 +100,8 @@ impl Plane {
     #[must_use]
     pub fn at(&self, x: i32, y: i32) -> f64 {
         match self.evaluation {
-            Evaluation::Constant => self.c,
+            // Only the outline knows a value that runs along scan lines; alone, its least one is as good as any.
+            Evaluation::Constant | Evaluation::ScanLine => self.c,
             Evaluation::Double => self.exact(x, y),
             Evaluation::Samples => f64::from(self.exact(x, y) as f32),
             Evaluation::Blocks => {

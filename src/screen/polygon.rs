@@ -1,5 +1,6 @@
 //! A view of one polygon of a draw list: the value that rasterizers read.
 
+use super::scan_line::ScanLine;
 use super::{DrawList, Evaluation, Fragment, Plane, PolygonRecord, Precision, ScreenVertex, Values};
 use crate::plan::Interpolation;
 
@@ -60,6 +61,8 @@ impl<'a> ScreenPolygon<'a> {
     }
 
     /// The planes of what varies, one a number: of value / w, or of the value itself with `--interpolation screen`.
+    ///
+    /// Eye points are always / w. A plane marked [`Evaluation::ScanLine`] is none: ask [`ScreenPolygon::values`].
     #[must_use]
     pub fn varying_planes(&self) -> &'a [Plane] {
         if !self.list.has_depth {
@@ -84,32 +87,55 @@ impl<'a> ScreenPolygon<'a> {
     /// What varies, at the center of sample (x, y): red, green, blue; or normal and eye point.
     ///
     /// The contract's one definition: value / w and 1/w by their planes, one division, within the range at the corners.
+    /// With `--interpolation scanline`, what is not linear over the polygon runs along its edges and the scan line.
     #[must_use]
     pub fn values(&self, x: i32, y: i32) -> Values {
-        let mut values = Values::default();
-        let inverse_w = self.inverse_w(x, y);
-        for plane in self.varying_planes() {
-            values.push(plane.clamp(self.divide(plane, plane.at(x, y), inverse_w)));
-        }
-        values
+        self.assemble((x, y), self.inverse_w(x, y), |_, plane| plane.at(x, y))
     }
 
-    /// What varies, from `inverse_w` and value / w of every number, however a rasterizer came by them: incrementally, say.
+    /// The same at sample (x, y), from 1/w and value / w of every number, however a rasterizer came by them: incrementally, say.
     ///
     /// `over_w` has one number for each of [`ScreenPolygon::varying_planes`]; further ones are not looked at.
     #[must_use]
-    pub fn values_from(&self, inverse_w: f64, over_w: &[f32]) -> Values {
+    pub fn values_from(&self, sample: (i32, i32), inverse_w: f64, over_w: &[f32]) -> Values {
+        self.assemble(sample, inverse_w, |number, _| f64::from(over_w[number]))
+    }
+
+    fn assemble(&self, (x, y): (i32, i32), inverse_w: f64, over_w: impl Fn(usize, &Plane) -> f64) -> Values {
         let mut values = Values::default();
-        for (plane, &number) in self.varying_planes().iter().zip(over_w) {
-            values.push(plane.clamp(self.divide(plane, f64::from(number), inverse_w)));
+        let scan_line = self.scan_line(x, y);
+        for (number, plane) in self.varying_planes().iter().enumerate() {
+            let value = match scan_line.filter(|_| plane.evaluation == Evaluation::ScanLine) {
+                Some(line) => self.round(line.value(|corner| self.vertex_values(corner)[number])),
+                None if self.is_over_w(number, plane) => self.divide(over_w(number, plane), inverse_w),
+                None => over_w(number, plane),
+            };
+            values.push(plane.clamp(value));
         }
         values
     }
 
-    fn divide(&self, plane: &Plane, value_over_w: f64, inverse_w: f64) -> f64 {
-        if plane.evaluation == Evaluation::Constant || self.list.interpolation == Interpolation::Screen {
-            return value_over_w;
+    /// The edges around the sample, where some value runs between them.
+    fn scan_line(&self, x: i32, y: i32) -> Option<ScanLine> {
+        let needed = self.list.interpolation == Interpolation::ScanLine
+            && self.varying_planes().iter().any(|plane| plane.evaluation == Evaluation::ScanLine);
+        if needed { ScanLine::around(self.vertices(), x, y) } else { None }
+    }
+
+    /// Whether a plane is that of value / w. Colors and normals may run on the screen; the eye point is a point in space.
+    fn is_over_w(&self, number: usize, plane: &Plane) -> bool {
+        let in_space = self.list.interpolation == Interpolation::Perspective || number >= 3;
+        in_space && !matches!(plane.evaluation, Evaluation::Constant | Evaluation::ScanLine)
+    }
+
+    fn round(&self, value: f64) -> f64 {
+        match self.list.precision {
+            Precision::Single => f64::from(value as f32),
+            Precision::Double => value,
         }
+    }
+
+    fn divide(&self, value_over_w: f64, inverse_w: f64) -> f64 {
         match self.list.precision {
             Precision::Single => f64::from(value_over_w as f32 / inverse_w as f32),
             Precision::Double => value_over_w / inverse_w,

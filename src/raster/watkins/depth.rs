@@ -74,7 +74,8 @@ fn rounding_bound(plane: &Plane) -> f64 {
     // In f64, a x + b y + c with x, y below 2^22: three roundings of numbers that may cancel.
     let exact = (plane.c.abs() + (plane.a.abs() + plane.b.abs()) * 4_194_304.0) * 4.0 * f64::EPSILON;
     match plane.evaluation {
-        Evaluation::Constant => 0.0,
+        // Depth never runs along scan lines.
+        Evaluation::Constant | Evaluation::ScanLine => 0.0,
         Evaluation::Double => exact,
         // One rounding to f32, and for blocks: of a, b, two products, their sum, and the last sum. Seven half units, doubled.
         Evaluation::Samples | Evaluation::Blocks => exact + largest * 8.0 * f64::from(f32::EPSILON),

@@ -6,6 +6,7 @@ use super::number::Number;
 use super::words::Words;
 use crate::color::Rgb;
 use crate::math::Vec3;
+use crate::plan::Interpolation;
 use crate::scene::Place;
 use crate::screen::shader::{EyeLight, SurfaceShading};
 use crate::screen::{DrawList, EdgeKind, Evaluation, Plane, PolygonRecord, ScreenPolygon, ScreenVertex, Source};
@@ -13,11 +14,12 @@ use std::io::{self, Write};
 
 const EDGES: [(EdgeKind, &str); 3] =
     [(EdgeKind::Original, "original"), (EdgeKind::Cut, "cut"), (EdgeKind::Diagonal, "diagonal")];
-const EVALUATIONS: [(Evaluation, &str); 4] = [
+const EVALUATIONS: [(Evaluation, &str); 5] = [
     (Evaluation::Constant, "constant"),
     (Evaluation::Blocks, "blocks"),
     (Evaluation::Samples, "samples"),
     (Evaluation::Double, "double"),
+    (Evaluation::ScanLine, "scanline"),
 ];
 const ORIGINS: [(bool, &str); 2] = [(false, "polygon"), (true, "tessellated")];
 const WHOLE: std::ops::RangeInclusive<u64> = 0..=u32::MAX as u64;
@@ -179,9 +181,12 @@ fn read_planes(words: &mut Words<'_>, list: &mut DrawList) -> Result<u32, Screen
     if !list.has_depth {
         return Ok(first as u32);
     }
-    read_plane(words, "depth").map(|plane| list.planes.push(plane))?;
+    // Only what varies may run along scan lines, and only where the head says so; that rule is the last of all.
+    let planes_only = &EVALUATIONS[..EVALUATIONS.len() - 1];
+    let rules = if list.interpolation == Interpolation::ScanLine { &EVALUATIONS } else { planes_only };
+    read_plane(words, "depth", planes_only).map(|plane| list.planes.push(plane))?;
     for name in varying_names(list.varying) {
-        read_plane(words, name).map(|plane| list.planes.push(plane))?;
+        read_plane(words, name, rules).map(|plane| list.planes.push(plane))?;
     }
     // Triangles of one polygon shared their planes, and the file repeats them.
     let count = list.planes.len() - first;
@@ -192,7 +197,7 @@ fn read_planes(words: &mut Words<'_>, list: &mut DrawList) -> Result<u32, Screen
     Ok(first as u32)
 }
 
-fn read_plane(words: &mut Words<'_>, name: &str) -> Result<Plane, ScreenFileError> {
+fn read_plane(words: &mut Words<'_>, name: &str, rules: &[(Evaluation, &str)]) -> Result<Plane, ScreenFileError> {
     words.record("plane")?;
     words.choice("the plane's name", &[((), name)])?;
     let [a, b, c] =
@@ -201,7 +206,7 @@ fn read_plane(words: &mut Words<'_>, name: &str) -> Result<Plane, ScreenFileErro
     let word = words.word();
     let high = word.text.parse().ok().filter(|&high: &f64| low <= high && high.is_finite());
     let high = high.ok_or_else(|| words.error(word, "the greatest value at the vertices, not below the least"))?;
-    let evaluation = words.choice("how it is evaluated", &EVALUATIONS)?;
+    let evaluation = words.choice("how it is evaluated", rules)?;
     words.end_of_record()?;
     Ok(Plane { a, b, c, low, high, evaluation })
 }
