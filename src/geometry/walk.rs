@@ -14,7 +14,7 @@ use crate::model::segments::Lens;
 use crate::model::{self, Detail};
 use crate::plan::{ClipPlane, Plan, View, is_outside};
 use crate::report::Work;
-use crate::scene::{Mesh, NormalSource, Primitive, Shape};
+use crate::scene::{Mesh, Primitive, Shape};
 
 /// The vertices of a [`Mesh`] in eye space.
 #[derive(Default)]
@@ -26,7 +26,7 @@ pub(super) struct EyeMesh {
     codes: Vec<u8>,
     /// Light of a vertex seen from the front and from the back, once it was asked for.
     pub lit: [Vec<Option<crate::color::Rgb>>; 2],
-    averaged: Vec<Vec3>,
+    local_normals: Vec<Vec3>,
 }
 
 impl EyeMesh {
@@ -76,20 +76,12 @@ impl EyeMesh {
     }
 
     fn turn_normals(&mut self, mesh: &Mesh, world_from_local: &Affine3, view: &View, work: &mut Work) {
-        let averaged = mesh.polygons.iter().any(|polygon| polygon.normals == NormalSource::Averaged);
-        if averaged {
-            model::averaged_normals(mesh, &mut self.averaged);
-        }
-        // A given normal is the file's word; the mean is for vertices without one.
-        for (mean, &given) in self.averaged.iter_mut().zip(&mesh.normals).filter(|(_, given)| **given != Vec3::ZERO) {
-            *mean = given;
-        }
-        let normals = if averaged { &self.averaged } else { &mesh.normals };
+        model::vertex_normals(mesh, &mut self.local_normals);
         // Only directions matter: a normal that a singular map leaves without one is given up for the polygon's own.
         let identity = world_from_local.matrix3 == Mat3::IDENTITY;
         let world_normals = model::normals_from(world_from_local).unwrap_or(Mat3::ZERO);
         let to_eye = |&normal: &Vec3| view.eye_from_world * turned(normal, &world_normals, identity);
-        self.normals.extend(normals.iter().map(to_eye));
+        self.normals.extend(self.local_normals.iter().map(to_eye));
         work.normals += self.normals.len() as u64;
     }
 }

@@ -18,7 +18,7 @@ mod sphere;
 mod turn;
 
 pub use bounds::{Ball, bounding_ball, bounding_ball_of_mesh};
-pub use normals::{averaged_normals, mirrors, normals_from, polygon_normal};
+pub use normals::{averaged_normals, mirrors, normals_from, polygon_normal, vertex_normals};
 
 use crate::math::Vec3;
 use crate::scene::{Mesh, NormalSource, Shape};
