@@ -83,11 +83,9 @@ fn in_triangles(surface: &Surface) -> Surface {
     let mut split_surface = surface.clone();
     let mesh = &mut split_surface.mesh;
     // Averaged normals are means over the polygons that were; they have to be fixed before these are gone.
-    if surface.mesh.polygons.iter().any(|polygon| polygon.normals == NormalSource::Averaged) {
-        let mut averaged = Vec::new();
-        model::averaged_normals(&surface.mesh, &mut averaged);
-        mesh.normals = averaged;
-    }
+    let mut fixed = Vec::new();
+    model::vertex_normals(&surface.mesh, &[NormalSource::Averaged], &mut fixed);
+    mesh.normals = fixed;
     mesh.polygons.clear();
     mesh.outlines.clear();
     let (mut scratch, mut triangles) = (SplitScratch::default(), Vec::new());

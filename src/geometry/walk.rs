@@ -26,7 +26,7 @@ pub(super) struct EyeMesh {
     codes: Vec<u8>,
     /// Light of a vertex seen from the front and from the back, once it was asked for.
     pub lit: [Vec<Option<crate::color::Rgb>>; 2],
-    averaged: Vec<Vec3>,
+    local_normals: Vec<Vec3>,
 }
 
 impl EyeMesh {
@@ -77,22 +77,17 @@ impl EyeMesh {
 
     fn turn_normals(&mut self, mesh: &Mesh, world_from_local: &Affine3, plan: &Plan, work: &mut Work) {
         let view = &plan.view;
-        let sipp_flat = plan.choices.flat == FlatRule::Sipp;
-        let needs_mean = |source| source == NormalSource::Averaged || (sipp_flat && source == NormalSource::Facet);
-        let averaged = mesh.polygons.iter().any(|polygon| needs_mean(polygon.normals));
-        if averaged {
-            model::averaged_normals(mesh, &mut self.averaged);
-        }
-        // A given normal is the file's word; the mean is for vertices without one.
-        for (mean, &given) in self.averaged.iter_mut().zip(&mesh.normals).filter(|(_, given)| **given != Vec3::ZERO) {
-            *mean = given;
-        }
-        let normals = if averaged { &self.averaged } else { &mesh.normals };
+        // SIPP knew no facets: its flat shading takes the mean there, too.
+        let with_mean: &[NormalSource] = match plan.choices.flat {
+            FlatRule::Face => &[NormalSource::Averaged],
+            FlatRule::Sipp => &[NormalSource::Averaged, NormalSource::Facet],
+        };
+        model::vertex_normals(mesh, with_mean, &mut self.local_normals);
         // Only directions matter: a normal that a singular map leaves without one is given up for the polygon's own.
         let identity = world_from_local.matrix3 == Mat3::IDENTITY;
         let world_normals = model::normals_from(world_from_local).unwrap_or(Mat3::ZERO);
         let to_eye = |&normal: &Vec3| view.eye_from_world * turned(normal, &world_normals, identity);
-        self.normals.extend(normals.iter().map(to_eye));
+        self.normals.extend(self.local_normals.iter().map(to_eye));
         work.normals += self.normals.len() as u64;
     }
 }

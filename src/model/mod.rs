@@ -33,7 +33,7 @@ mod turn;
 mod weld;
 
 pub use bounds::{Ball, bounding_ball, bounding_ball_of_mesh};
-pub use normals::{averaged_normals, mirrors, normals_from, polygon_normal};
+pub use normals::{averaged_normals, mirrors, normals_from, polygon_normal, vertex_normals};
 pub use sheet::PLANAR;
 
 use crate::math::Vec3;

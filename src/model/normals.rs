@@ -6,7 +6,7 @@
 //! Source: H. Gouraud, "Continuous Shading of Curved Surfaces", IEEE Trans. Computers C-20(6), 1971.
 
 use crate::math::{Affine3, Mat3, Vec3, edges, unit};
-use crate::scene::{Mesh, Polygon};
+use crate::scene::{Mesh, NormalSource, Polygon};
 
 /// The unit Newell normal of one polygon; `None` where it has no area (or its square leaves the range of `f64`).
 ///
@@ -35,6 +35,22 @@ pub fn averaged_normals(mesh: &Mesh, normals: &mut Vec<Vec3>) {
     for normal in normals {
         // Two opposite normals rarely sum to exactly zero; what is left of them is rounding, not a direction.
         *normal = if normal.length_squared() < 1e-24 { Vec3::ZERO } else { unit(*normal).unwrap_or(Vec3::ZERO) };
+    }
+}
+
+/// Writes into `normals` what lights the vertices of `mesh`: the file's own word where it gives a normal; else, in a mesh that has polygons
+/// of a kind in `with_mean` ([`NormalSource::Averaged`], if nothing else is chosen), the mean; else zero, which stands for the polygon's own. Empty where no polygon has anything but its own.
+///
+/// The geometry stage and the NFF writer both take their normals from here, so that both light the same.
+pub fn vertex_normals(mesh: &Mesh, with_mean: &[NormalSource], normals: &mut Vec<Vec3>) {
+    if mesh.polygons.iter().any(|polygon| with_mean.contains(&polygon.normals)) {
+        averaged_normals(mesh, normals);
+        for (mean, &given) in normals.iter_mut().zip(&mesh.normals).filter(|(_, given)| **given != Vec3::ZERO) {
+            *mean = given;
+        }
+    } else {
+        normals.clear();
+        normals.extend_from_slice(&mesh.normals);
     }
 }
 
@@ -76,7 +92,6 @@ fn scaled_to_one(map: &Affine3) -> Option<Mat3> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::NormalSource;
 
     /// Two squares that meet at a right angle along the z axis, and a third vertex list entry nobody uses.
     fn corner() -> Mesh {

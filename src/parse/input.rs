@@ -1,9 +1,11 @@
-//! Bytes of a file -> [`Source`]: comments and blank lines are dropped while reading.
+//! Bytes of a file -> [`Source`]: comments and blank lines are dropped while reading, except for comments for farop.
 //!
 //! file, pipe, gzip -> INPUT -> Source -> nff
 //!
 //! Why here and not in the grammar: what never enters memory cannot fill it. A gigabyte of comments, in one line or in
 //! ten million, costs one buffer; a gigabyte without a line break is refused after [`LINE_LIMIT`] characters.
+//!
+//! A comment that begins with `#farop` and a blank is for farop ([`super::nff`]) and stays, wherever the buffer ends within it.
 //!
 //! Units: bytes. Cost: one pass; memory for the lines that say something.
 
@@ -15,15 +17,30 @@ pub const LINE_LIMIT: usize = 1_000_000;
 /// The most bytes that are read, comments included and after decompression: what `u32` offsets and lines can count.
 pub const INPUT_LIMIT: u64 = u32::MAX as u64;
 
+/// How a comment begins that is kept in NFF.
+const MARK: &[u8] = b"#farop ";
+
+/// As [`read_source`]; comments that begin with `#farop` and a blank are kept, as words like any others.
+///
+/// # Errors
+/// As [`read_source`].
+pub fn read_annotated_source(name: &str, reader: impl Read) -> Result<Source, Diagnostics> {
+    read_filtered(name, reader, Filter { keeps_marked: true, ..Filter::default() })
+}
+
 /// Reads everything up to [`INPUT_LIMIT`].
 ///
 /// A byte order mark of UTF-8 is skipped. `\n` ends a line; `\r` is white space, and also ends a comment.
 ///
 /// # Errors
 /// The reader fails, the input or a line is too long, or it is UTF-16.
-pub fn read_source(name: &str, mut reader: impl Read) -> Result<Source, Diagnostics> {
+#[allow(dead_code, reason = "for formats whose comments are nothing but comments")]
+pub fn read_source(name: &str, reader: impl Read) -> Result<Source, Diagnostics> {
+    read_filtered(name, reader, Filter::default())
+}
+
+fn read_filtered(name: &str, mut reader: impl Read, mut filter: Filter) -> Result<Source, Diagnostics> {
     let mut source = Source { name: name.to_string(), ..Source::default() };
-    let mut filter = Filter::default();
     let mut buffer = vec![0; 1 << 16];
     let mut bytes_read = 0;
     loop {
@@ -70,6 +87,10 @@ struct Filter {
     /// The current line has something other than white space.
     speaks: bool,
     in_comment: bool,
+    /// Comments that begin with [`MARK`] are kept.
+    keeps_marked: bool,
+    /// How much of [`MARK`] was seen, of a comment that may still become a kept one.
+    marked: usize,
     /// Lines dropped since the last one that was kept.
     dropped: u32,
 }
@@ -81,6 +102,10 @@ impl Filter {
     fn keep(&mut self, chunk: &[u8], source: &mut Source) -> Result<(), LineTooLong> {
         let mut rest = chunk;
         while !rest.is_empty() {
+            if self.marked > 0 {
+                rest = self.compare_mark(rest, source)?;
+                continue;
+            }
             if self.in_comment {
                 let Some(end) = rest.iter().position(|&byte| byte == b'\n' || byte == b'\r') else { return Ok(()) };
                 self.in_comment = false;
@@ -89,6 +114,7 @@ impl Filter {
             let end = rest.iter().position(|&byte| byte == b'\n' || byte == b'#').unwrap_or(rest.len());
             self.keep_words(&rest[..end], source)?;
             match rest.get(end) {
+                Some(b'#') if self.keeps_marked => self.marked = 1,
                 Some(b'#') => self.in_comment = true,
                 Some(_) => self.end_line(source),
                 None => {}
@@ -96,6 +122,20 @@ impl Filter {
             rest = rest.get(end + 1..).unwrap_or_default();
         }
         Ok(())
+    }
+
+    /// Goes on comparing the beginning of a comment with [`MARK`], and returns what is left of the chunk.
+    fn compare_mark<'a>(&mut self, rest: &'a [u8], source: &mut Source) -> Result<&'a [u8], LineTooLong> {
+        let same = MARK[self.marked..].iter().zip(rest).take_while(|(mark, byte)| mark == byte).count();
+        self.marked += same;
+        if self.marked == MARK.len() {
+            self.marked = 0;
+            self.keep_words(MARK, source)?;
+        } else if same < rest.len() {
+            self.marked = 0;
+            self.in_comment = true;
+        }
+        Ok(&rest[same..])
     }
 
     fn keep_words(&mut self, words: &[u8], source: &mut Source) -> Result<(), LineTooLong> {
@@ -183,6 +223,24 @@ mod tests {
         let source = read_source("", &b"\xEF\xBB\xBFs 1\r\n\r\n# a\rb\r\n#\n  c # \0\xFF\nd"[..]).expect("short");
         assert_eq!(source.text, b"s 1\r\n\rb\r\n  c \nd");
         assert_eq!([0, 6, 11, 15].map(|offset| source.line(offset)), [1, 3, 5, 6]);
+    }
+
+    #[test]
+    fn comments_for_farop_stay_wherever_a_buffer_ends() {
+        let text = b"#farop light intensity 1 # why\n#farope\n#farop\n# farop light\n#fa\rl 1 2 3 #farop surface phong\n##farop a\n#far";
+        let kept = b"#farop light intensity 1 \n\rl 1 2 3 #farop surface phong\n";
+        let whole = read_annotated_source("", &text[..]).expect("short");
+        assert_eq!(String::from_utf8_lossy(&whole.text), String::from_utf8_lossy(kept));
+        assert_eq!([0, 26].map(|offset| whole.line(offset)), [1, 5]);
+        for cut in 0..=text.len() {
+            let (mut source, mut filter) = (Source::default(), Filter { keeps_marked: true, ..Filter::default() });
+            for chunk in [&text[..cut], &text[cut..]] {
+                assert!(filter.keep(chunk, &mut source).is_ok());
+            }
+            assert_eq!((source.text, source.gaps), (whole.text.clone(), whole.gaps.clone()), "cut at {cut}");
+        }
+        // Elsewhere it is a comment.
+        assert_eq!(read_source("", &b"#farop light\nl"[..]).expect("short").text, b"l");
     }
 
     #[test]

@@ -4,7 +4,7 @@
 //!
 //! Gzip is recognized by its first two bytes, whatever the name says: files get renamed, bytes do not.
 
-use super::input::read_source;
+use super::input::read_annotated_source;
 use super::{ParseOptions, Parsed, nff};
 use crate::diagnostic::{Diagnostic, Diagnostics, printable, suggest};
 use flate2::bufread::MultiGzDecoder;
@@ -66,9 +66,9 @@ fn read(name: &str, mut reader: impl BufRead, format: Format, options: ParseOpti
     let start = reader.fill_buf();
     let start = start.map_err(|error| failure(Diagnostic::error(format!("cannot read `{name}`: {error}"))))?;
     let source = if start.starts_with(b"\x1F\x8B") {
-        read_source(name, MultiGzDecoder::new(reader))?
+        read_annotated_source(name, MultiGzDecoder::new(reader))?
     } else {
-        read_source(name, reader)?
+        read_annotated_source(name, reader)?
     };
     match format {
         Format::Nff => nff::read(&source, options),

@@ -67,5 +67,5 @@ pub struct Parsed {
 /// assert!(error.to_string().contains("ball.nff:1:7"));
 /// ```
 pub fn read_nff(name: &str, text: &[u8], options: ParseOptions) -> Result<Parsed, Diagnostics> {
-    nff::read(&input::read_source(name, text)?, options)
+    nff::read(&input::read_annotated_source(name, text)?, options)
 }

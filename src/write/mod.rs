@@ -2,6 +2,8 @@
 //!
 //! Scene -WRITE-> text. The opposite direction of `parse`; it knows nothing of the view's pixels.
 
+mod annotation;
+mod losses;
 mod nff;
 mod number;
 

@@ -7,12 +7,17 @@
 //!
 //! Source: E. Haines, "A Proposal for Standard Graphics Environments", IEEE CG&A 7(11), 1987. Cost: linear; memory of the largest surface.
 
+use super::annotation;
+use super::losses::Losses;
 use super::number::write_number;
 use crate::color::Rgb;
 use crate::math::{Affine3, Mat3, Vec3, unit};
 use crate::model::segments::similarity_scale;
-use crate::model::{Detail, averaged_normals, mirrors, normals_from, polygon_normal, tessellate};
-use crate::scene::{Camera, Light, Material, Mesh, NormalSource, Placed, Polygon, Primitive, Scene, Shape, Surface};
+use crate::model::{Detail, mirrors, normals_from, polygon_normal, tessellate, vertex_normals};
+use crate::scene::{
+    Camera, Light, LightSource, Material, Mesh, NormalSource, Placed, Polygon, Primitive, Reflection, Scene, Shape,
+    Surface,
+};
 use std::io::{self, Write};
 
 /// Segments of spheres and cones that are no longer spheres and cones where they stand and so are written as polygons.
@@ -24,6 +29,9 @@ pub const POLYGONIZED_SEGMENTS: u32 = 64;
 /// the order of the file. Polygons with averaged or given normals become `pp`, the others `p`. Opacity becomes T = 1 - opacity.
 /// A sphere or cone that its transform stretches unequally becomes polygons of [`POLYGONIZED_SEGMENTS`] segments, and a notice says so;
 /// so does a disc that no longer faces +z.
+///
+/// What farop can draw and NFF cannot say stands in comments that begin with `#farop`, for farop to read back: intensities, `phong`, ambient
+/// coefficients, opacity per channel, two sides. Directional lights and spots become point lights, `basic` becomes `phong`.
 ///
 /// # Errors
 /// Those of `out`; [`io::ErrorKind::InvalidData`] for a number that is infinite or not a number and for a scene with too many instances.
@@ -37,7 +45,7 @@ pub fn write_nff(scene: &Scene, out: &mut dyn Write) -> io::Result<Vec<String>> 
         Some(camera) => writer.camera(camera)?,
         None => writer.losses.no_camera = true,
     }
-    scene.lights.iter().try_for_each(|light| writer.light(light))?;
+    scene.lights.iter().try_for_each(|light| writer.light(light, scene.camera.as_ref()))?;
 
     // The walk cannot be left early; after an error nothing more is written.
     let mut result = Ok(());
@@ -49,48 +57,6 @@ pub fn write_nff(scene: &Scene, out: &mut dyn Write) -> io::Result<Vec<String>> 
         })
         .map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error))?;
     result.map(|()| writer.losses.notices())
-}
-
-/// What NFF could not say so far.
-#[derive(Default)]
-struct Losses {
-    no_camera: bool,
-    yon: bool,
-    light_intensities: usize,
-    ambient_surfaces: usize,
-    colored_opacities: usize,
-    objects: usize,
-    placed_objects: usize,
-    names: usize,
-    flattened_objects: usize,
-    polygonized_shapes: usize,
-}
-
-impl Losses {
-    fn notices(&self) -> Vec<String> {
-        let counted = |count: usize, what: &str| (count > 0).then(|| format!("{what}: {count}"));
-        let tree = self.objects > 1 || self.placed_objects > 0;
-        let polygonized = format!(
-            "spheres and cones that NFF's `s` and `c` cannot say where they stand, written as polygons of {POLYGONIZED_SEGMENTS} segments"
-        );
-        [
-            self.no_camera.then(|| "the scene has no camera: no `v` was written".to_string()),
-            self.yon.then(|| "the far plane (yon) was left out: in NFF it is infinitely far".to_string()),
-            counted(self.light_intensities, "light intensities left out, NFF has only colors"),
-            counted(self.ambient_surfaces, "surfaces whose own ambient coefficient was left out"),
-            counted(self.colored_opacities, "surfaces whose opacity per channel became one T, 1 minus the mean"),
-            counted(
-                if tree { self.objects } else { 0 },
-                "objects moved into one list in world coordinates, without their nesting",
-            ),
-            counted(if tree { self.names } else { 0 }, "names of objects left out"),
-            counted(self.flattened_objects, "objects left out because their transform flattens them to nothing"),
-            counted(self.polygonized_shapes, &polygonized),
-        ]
-        .into_iter()
-        .flatten()
-        .collect()
-    }
 }
 
 /// How one object instance leads to world space.
@@ -112,7 +78,7 @@ impl Placement {
 struct Writer<'a> {
     out: &'a mut dyn Write,
     losses: Losses,
-    /// Averaged normals of the surface in hand.
+    /// Normals that light the vertices of the surface in hand.
     normals: Vec<Vec3>,
     /// The line in hand.
     line: Vec<u8>,
@@ -144,9 +110,23 @@ impl Writer<'_> {
         writeln!(self.out, "resolution {width} {height}")
     }
 
-    fn light(&mut self, light: &Light) -> io::Result<()> {
-        self.losses.light_intensities += usize::from(light.intensity.is_some());
-        let ([x, y, z], [r, g, b]) = (light.source.position().to_array(), light.color.to_array());
+    fn light(&mut self, light: &Light, camera: Option<&Camera>) -> io::Result<()> {
+        let position = match light.source {
+            LightSource::Point { position } => position,
+            LightSource::Spot { position, .. } => {
+                self.losses.spots += 1;
+                position
+            }
+            LightSource::Directional { to_light } => {
+                self.losses.directional_lights += 1;
+                far_away(to_light, camera)
+            }
+        };
+        if let Some(intensity) = light.intensity {
+            self.losses.lights_in_comments += 1;
+            annotation::write_light(self.out, intensity)?;
+        }
+        let ([x, y, z], [r, g, b]) = (position.to_array(), light.color.to_array());
         if light.color == Rgb::WHITE { self.entity("l", &[x, y, z]) } else { self.entity("l", &[x, y, z, r, g, b]) }
     }
 
@@ -169,9 +149,11 @@ impl Writer<'_> {
         if surface.mesh.polygons.is_empty() && surface.primitives.is_empty() {
             return Ok(());
         }
+        self.losses.textured_surfaces += usize::from(!surface.mesh.texture.is_empty());
+        self.losses.surfaces_in_comments += usize::from(annotation::write_surface(self.out, surface)?);
         self.material(&surface.material)?;
         // Merge polygons and primitives back into the order of the file. Primitives stand in the order of `before`.
-        averaged_normals(&surface.mesh, &mut self.normals);
+        vertex_normals(&surface.mesh, &[NormalSource::Averaged], &mut self.normals);
         let mut primitives = surface.primitives.iter().peekable();
         for (index, polygon) in surface.mesh.polygons.iter().enumerate() {
             while let Some(primitive) = primitives.next_if(|primitive| primitive.before as usize <= index) {
@@ -186,8 +168,8 @@ impl Writer<'_> {
         let Rgb { r, g, b } = material.opacity;
         // One T: equal channels are taken as they are, the sum of three thirds would round.
         let opacity = if r == g && g == b { r } else { (r + g + b) / 3.0 };
-        self.losses.colored_opacities += usize::from(!(r == g && g == b));
-        self.losses.ambient_surfaces += usize::from(material.ambient.is_some());
+        self.losses.basic_surfaces += usize::from(matches!(material.reflection, Reflection::Basic { .. }));
+        let material = annotation::as_phong(material);
         let [red, green, blue] = material.color.to_array();
         let reflection = [material.diffuse, material.specular, material.shine, 1.0 - opacity, material.refraction];
         write!(self.out, "f")?;
@@ -206,8 +188,7 @@ impl Writer<'_> {
                 outline[if placement.mirrored { (outline.len() - step) % outline.len() } else { step }] as usize;
             let normal = match polygon.normals {
                 NormalSource::Facet => None,
-                NormalSource::Averaged => Some(self.normals.get(index)),
-                NormalSource::Given => Some(mesh.normals.get(index)),
+                NormalSource::Averaged | NormalSource::Given => Some(self.normals.get(index)),
             };
             let position = placement.world_from_local.transform_point3(mesh.vertices[index]);
             self.vertex(
@@ -254,10 +235,21 @@ impl Writer<'_> {
         mesh.clear();
         let detail = Detail::Segments(POLYGONIZED_SEGMENTS);
         tessellate(&primitive.shape, primitive.inside, detail, primitive.line, &mut mesh);
+        // The shape's normals take the place of the surface's until it is written.
+        let of_surface = std::mem::take(&mut self.normals);
+        vertex_normals(&mesh, &[NormalSource::Averaged], &mut self.normals);
         let result = mesh.polygons.iter().try_for_each(|polygon| self.polygon(&mesh, polygon, placement));
+        self.normals = of_surface;
         self.polygonized = mesh;
         result
     }
+}
+
+/// Where a point light stands for a directional one: a billion times as far from the middle of the picture as the eye is, so that over
+/// anything in the picture its direction changes by less than the last digit of a color.
+fn far_away(to_light: Vec3, camera: Option<&Camera>) -> Vec3 {
+    let (middle, distance) = camera.map_or((Vec3::ZERO, 1.0), |camera| (camera.at, (camera.at - camera.from).length()));
+    middle + unit(to_light).unwrap_or(Vec3::Z) * (distance.max(f64::MIN_POSITIVE) * 1e9)
 }
 
 /// The shape in world space; `None` where it is none that NFF has a word for.

@@ -11,6 +11,7 @@ pub mod mixed;
 pub mod random;
 pub mod scenes;
 pub mod shapes;
+pub mod sipp_like;
 pub mod tally;
 
 use farop::color::Rgb;

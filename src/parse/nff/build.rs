@@ -7,6 +7,7 @@
 //!
 //! Source: E. Haines, NFF.TXT 3.9. Cost: one look-up a vertex, one cross product a polygon.
 
+use super::annotation::{Annotation, SurfaceNote};
 use super::camera::camera;
 use super::grammar::{Corners, Statement};
 use super::nonsense::{Nonsense, refuse};
@@ -31,6 +32,8 @@ pub(super) struct Builder {
     weld: Weld,
     outline: Vec<u32>,
     first_view: Option<Span>,
+    /// What a comment for farop says about the next statement.
+    pub(super) annotation: Option<Annotation>,
     pub(super) notices: Notices,
 }
 
@@ -44,6 +47,7 @@ impl Builder {
             weld: Weld::default(),
             outline: Vec::new(),
             first_view: None,
+            annotation: None,
             notices: Notices::default(),
         }
     }
@@ -80,16 +84,21 @@ impl Builder {
                     );
                 }
                 let color = color.unwrap_or(Rgb::WHITE);
-                self.scene.lights.push(Light::point(position, color, place));
+                let intensity = match self.annotation.take() {
+                    Some(Annotation::Light { intensity }) => Some(intensity),
+                    _ => None,
+                };
+                self.scene.lights.push(Light { intensity, ..Light::point(position, color, place) });
             }
             Statement::Surface { color, diffuse, specular, shine, transmitted, refraction } => {
                 self.check_color(color, 1, keyword)?;
                 check_coefficients([diffuse, specular, shine, transmitted])?;
                 let opacity = Rgb::gray(1.0 - transmitted);
-                let reflection = Reflection::Nff;
-                let material =
-                    Material { reflection, color, ambient: None, diffuse, specular, shine, opacity, refraction };
+                let material = Material { color, diffuse, specular, shine, opacity, refraction, ..Material::default() };
                 self.start_surface(material, place);
+                if let Some(Annotation::Surface(note)) = self.annotation.take() {
+                    annotate(&mut self.surface, note);
+                }
             }
             Statement::Sphere { center, radius } => {
                 let shape = Shape::Sphere { center, radius: radius.abs() };
@@ -211,6 +220,15 @@ impl Builder {
         }
         Ok(())
     }
+}
+
+/// What `f` could not say.
+fn annotate(surface: &mut Surface, note: SurfaceNote) {
+    let material = &mut surface.material;
+    material.reflection = if note.is_phong { Reflection::Phong } else { Reflection::Nff };
+    material.ambient = note.ambient;
+    material.opacity = note.opacity.unwrap_or(material.opacity);
+    surface.two_sided = note.two_sided;
 }
 
 fn empty_surface(material: Material, place: Place) -> Surface {

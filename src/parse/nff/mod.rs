@@ -2,12 +2,13 @@
 //!
 //! Source -NFF (grammar, build)-> Scene
 //!
-//! Four parts: `grammar` says what stands where, `build` what it means, `explain` what is wrong, and this loop goes
+//! Four parts: `grammar` says what stands where (`annotation`: in comments for farop), `build` what it means, `explain` what is wrong, and this loop goes
 //! from statement to statement. After a mistake it goes on at the next keyword, so that one run tells up to
 //! [`MOST_ERRORS`] of them.
 //!
 //! Lines are a convention in NFF: a statement ends where the next one starts. Source: E. Haines, NFF.TXT 3.9.
 
+mod annotation;
 mod build;
 mod camera;
 mod counts;
@@ -21,6 +22,7 @@ mod wording;
 use super::{ParseOptions, Parsed, tokens};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, Span};
 use crate::scene::Scene;
+use annotation::Annotation;
 use build::Builder;
 use explain::Explain;
 pub(super) use grammar::KEYWORDS;
@@ -54,6 +56,8 @@ struct Reader<'a> {
     builder: Builder,
     /// Behind the first object, views and lights are too late.
     first_object: Option<Span>,
+    /// What a `#farop` line says about the statement behind it, and where.
+    annotation: Option<(Annotation, Span)>,
     /// The line of the last statement, if it was an `f`: what other readers take for a texture follows on it.
     line_of_surface: Option<u32>,
 }
@@ -67,6 +71,7 @@ impl<'a> Reader<'a> {
             corners: Corners::default(),
             builder: Builder::new(&source.name, options),
             first_object: None,
+            annotation: None,
             line_of_surface: None,
         }
     }
@@ -95,6 +100,7 @@ impl<'a> Reader<'a> {
                 break;
             }
         }
+        self.check_annotation(&[], None, errors);
         self.finish()
     }
 
@@ -107,6 +113,11 @@ impl<'a> Reader<'a> {
         errors: &mut Vec<Diagnostic>,
     ) -> Option<&'a [u8]> {
         let word = tokens::word(tail);
+        self.builder.annotation = self.check_annotation(word, Some(keyword), errors);
+        if word == annotation::WORD {
+            self.line_of_surface = None;
+            return Some(self.annotation(tail, keyword, errors));
+        }
         let Some(result) = self.grammar.statement(word, &tail[word.len()..], &mut self.corners) else {
             let error = self.explain.unknown_keyword(tail, self.line_of_surface == Some(line));
             let is_text = error.is_ok();
@@ -137,6 +148,41 @@ impl<'a> Reader<'a> {
             Err(nom::Err::Incomplete(_)) => &[],
         };
         Some(rest)
+    }
+
+    /// Reads a `#farop` line, which ends with the line, and returns the tail behind it.
+    fn annotation(&mut self, tail: &'a [u8], keyword: Span, errors: &mut Vec<Diagnostic>) -> &'a [u8] {
+        let end = tail.iter().position(|&byte| byte == b'\n' || byte == b'\r').unwrap_or(tail.len());
+        match Annotation::read(&tail[..end]) {
+            Ok(annotation) => self.annotation = Some((annotation, keyword)),
+            Err(mistake) => {
+                let span = self.explain.span_of_word(tokens::nth_word(tail, mistake.word));
+                errors.push(Diagnostic::error(mistake.message).at(span, "").help(mistake.help));
+            }
+        }
+        &tail[end..]
+    }
+
+    /// The annotation for a statement that starts with `word` (none: the end of the file), if there is one and it belongs there.
+    fn check_annotation(
+        &mut self,
+        word: &[u8],
+        statement: Option<Span>,
+        errors: &mut Vec<Diagnostic>,
+    ) -> Option<Annotation> {
+        let (annotation, span) = self.annotation.take()?;
+        let (keyword, name) = annotation.belongs_to();
+        if word == keyword {
+            return Some(annotation);
+        }
+        let keyword = wording::plain(keyword);
+        let error = Diagnostic::error(format!("`{name}` belongs to the `{keyword}` behind it, but none follows"));
+        let error = error.at(span, "belongs to nothing").help(format!("put it right before an `{keyword}`"));
+        errors.push(match statement {
+            Some(statement) => error.at(statement, "this follows"),
+            None => error,
+        });
+        None
     }
 
     /// Views and lights stand before all objects.
@@ -172,7 +218,7 @@ fn next_keyword(tail: &[u8]) -> &[u8] {
 }
 
 fn is_keyword(word: &[u8]) -> bool {
-    KEYWORDS.iter().any(|keyword| keyword.as_bytes() == word)
+    word == annotation::WORD || KEYWORDS.iter().any(|keyword| keyword.as_bytes() == word)
 }
 
 #[cfg(test)]
