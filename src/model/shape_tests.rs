@@ -193,7 +193,7 @@ fn no_number_in_a_file_makes_more_polygons_than_memory_holds() {
         for asked in [0, 1, 1024, u32::MAX] {
             let [n, m] = Detail::Segments(asked).of_net(pieces);
             let cells = f64::from(n) * f64::from(m) * pieces as f64;
-            assert!(n >= 1 && n <= 1024 && n == m && (cells <= 16_777_216.0 || n == 1), "{pieces} {asked}: {n}");
+            assert!((1..=1024).contains(&n) && n == m && (cells <= 16_777_216.0 || n == 1), "{pieces} {asked}: {n}");
         }
     }
     // What tables promise is kept up to the limit.
