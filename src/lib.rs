@@ -21,6 +21,7 @@
 //! | [`geometry`] | cull, clip, light, split, project: FAROP's figure 4 |
 //! | [`raster`] | the contract, the target, the z-buffer, Watkins, wire |
 //! | [`render`] | the driver; why a sample shows what it shows |
+//! | [`lab`] | how accurate all this is, measured |
 //! | [`grade`] | probes that find a rasterizer's mistakes |
 //! | [`cli`] | the command line |
 //!
@@ -32,6 +33,7 @@ pub mod diagnostic;
 pub mod geometry;
 pub mod grade;
 pub mod image;
+pub mod lab;
 pub mod math;
 pub mod model;
 pub mod parse;
