@@ -7,7 +7,7 @@
 //! closer together than the stated band: there an honest `f32` rasterizer may differ from the true planes.
 //!
 //! Space: samples; sample (x, y) is at `y * width + x`.
-//! Cost: a sign an edge and sample below the polygon's bounds; 16 bytes a sample.
+//! Cost: a sign an edge and sample below the polygon's bounds; some 20 bytes a sample.
 
 use super::Vertices;
 use super::covering::{Outline, Standing};
@@ -80,6 +80,17 @@ pub struct ExactCounts {
     pub cut: u64,
     /// Polygons with a corner that has no place on the screen; they cover nothing.
     pub refused: u64,
+}
+
+impl ExactPicture {
+    /// Samples at which `drawn` shows another owner: beyond dispute, and disputed.
+    ///
+    /// `drawn` has the same rows; samples that it lacks count as background.
+    #[must_use]
+    pub fn differences(&self, drawn: &[Option<u32>]) -> (u64, u64) {
+        let other = (0..self.owner.len()).filter(|&at| self.owner[at] != drawn.get(at).copied().flatten());
+        other.fold((0, 0), |(wrong, close), at| if self.disputed[at] { (wrong, close + 1) } else { (wrong + 1, close) })
+    }
 }
 
 impl std::ops::AddAssign for ExactCounts {

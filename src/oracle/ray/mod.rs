@@ -93,6 +93,13 @@ pub struct RayPicture {
 }
 
 impl RayPicture {
+    /// Where the first hit is one of some kind: of one primitive, of one surface, or any.
+    #[must_use]
+    pub fn mask(&self, is_of: impl Fn(&Hit) -> bool) -> silhouette::Mask {
+        let inside = self.hits.iter().map(|hit| hit.as_ref().is_some_and(&is_of)).collect();
+        silhouette::Mask { width: self.width, inside }
+    }
+
     /// The picture: the mean of the A x A samples of each pixel, linear light.
     #[must_use]
     pub fn image(&self) -> Image {

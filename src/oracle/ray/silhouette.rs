@@ -118,7 +118,7 @@ pub fn deviation(first: &dyn Region, second: &dyn Region, size: (u32, u32), limi
     let mut found = Deviation::default();
     for (own, other) in [(first, second), (second, first)] {
         for point in points(own, size) {
-            let distance = distance(other, point, limit);
+            let distance = distance(other, point, size, limit);
             found.largest = found.largest.max(distance);
             found.mean += distance;
             found.points += 1;
@@ -163,13 +163,16 @@ fn bisect(region: &dyn Region, mut from: (f64, f64), mut to: (f64, f64)) -> (f64
 /// Directions of the search: a straight outline is met at most 1 / cos(PI / 24), 0.9 %, too late.
 const DIRECTIONS: u32 = 24;
 
-/// The distance of `point` from the outline of `region`, at most `limit`.
-fn distance(region: &dyn Region, (x, y): (f64, f64), limit: f64) -> f64 {
+/// The distance of a point from the outline of `region` within the picture, at most `limit`.
+fn distance(region: &dyn Region, (x, y): (f64, f64), size: (u32, u32), limit: f64) -> f64 {
     let here = region.contains(x, y);
     let changes = |radius: f64| {
         (0..DIRECTIONS).any(|step| {
             let angle = 2.0 * PI * f64::from(step) / f64::from(DIRECTIONS);
-            region.contains(x + radius * cos(angle), y + radius * sin(angle)) != here
+            let (x, y) = (x + radius * cos(angle), y + radius * sin(angle));
+            // Polygons end at the border of the picture, which is no outline.
+            let seen = x > 0.0 && y > 0.0 && x < f64::from(size.0) && y < f64::from(size.1);
+            seen && region.contains(x, y) != here
         })
     };
     // Doubling finds a radius that reaches over the outline, halving the smallest.
