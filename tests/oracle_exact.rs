@@ -210,3 +210,48 @@ fn snapping_is_seen() {
     let covered = |rules: &Rules| judge(&list, rules).counts.covered;
     assert_eq!((covered(&Rules::CONTRACT), covered(&Rules::UNSNAPPED)), (12, 8));
 }
+
+/// The same polygons twice, seen at the same places, the second time nearer by one part in `parts`.
+fn doubled(parts: f64) -> DrawList {
+    let mut scene = Mix { seed: 8, polygons: 60, corners: (3, 3), ..Mix::default() }.scene(48);
+    let mut nearer = scene.clone();
+    let corners = nearer.surfaces.iter_mut().flat_map(|surface| &mut surface.mesh.vertices);
+    corners.for_each(|corner| *corner *= 1.0 - 1.0 / parts);
+    scene.merge(nearer);
+    let mut list = geometry_of(&scene, &Choices { culling: Culling::None, ..Choices::default() }).0;
+    // Snapped corners must not differ: this is about depth alone.
+    let half = list.len() / 2;
+    for index in 0..half {
+        let (from, to) = (list.polygons[index], list.polygons[index + half]);
+        for corner in 0..from.vertex_count as usize {
+            let (x, y) = {
+                let vertex = &list.vertices[from.first_vertex as usize + corner];
+                (vertex.x, vertex.y)
+            };
+            let vertex = &mut list.vertices[to.first_vertex as usize + corner];
+            (vertex.x, vertex.y) = (x, y);
+        }
+    }
+    list
+}
+
+#[test]
+fn true_depth_tells_apart_what_single_precision_cannot() {
+    for parts in [1e4, 1e6, 1e7, 1e8, 1e11] {
+        let list = numbered(&doubled(parts));
+        let half = (list.len() / 2) as u32;
+        let truth = judge(&list, &Rules::TRUE_DEPTH);
+        let behind = truth.owner.iter().flatten().filter(|&&owner| owner < half).count();
+        assert_eq!(behind, 0, "1 / {parts}: the nearer twin is in front everywhere");
+        let drawn = owners(&list, &ZBuffer);
+        let (wrong, close) = truth.differences(&drawn);
+        println!(
+            "1 / {parts:e}: {} covered, {} disputed, {close} drawn otherwise",
+            truth.counts.covered, truth.counts.disputed
+        );
+        assert_eq!(wrong, 0, "1 / {parts}");
+        // Eight last digits are the band; half of one is where single precision ends.
+        assert_eq!(truth.counts.disputed > truth.counts.covered / 2, parts > 1e6, "1 / {parts}");
+        assert!(if parts < 1e7 { close == 0 } else { close > 0 || parts < 1e8 }, "1 / {parts}: {close}");
+    }
+}

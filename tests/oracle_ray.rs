@@ -6,6 +6,7 @@ use farop::color::Rgb;
 use farop::image::Image;
 use farop::math::{Affine3, Mat3, Vec3};
 use farop::oracle::Vertices;
+use farop::oracle::exact::{Rules, judge};
 use farop::oracle::ray::silhouette::{Polygons, deviation, traced};
 use farop::oracle::ray::{Hit, Part, RayError, RayPicture, Tracer, trace};
 use farop::plan::{AngleSpan, Choices, Culling, Shading};
@@ -14,6 +15,7 @@ use farop::render::render;
 use farop::scene::{Material, Mesh, Primitive, Scene, Shape};
 use farop::spd::Curves;
 use support::built_in::{SMALL, built_in};
+use support::owners::numbered;
 use support::random::Random;
 use support::scenes::{camera, run, scene, surface};
 
@@ -194,5 +196,38 @@ fn tessellated_outlines_are_within_the_tolerance() {
         println!("tolerance {tolerance}: {least:.4} to {worst:.4}, {points} points");
         // The oracle sees the facets: no outline of a polygon is a circle.
         assert!(worst > tolerance * 0.3, "{worst}");
+    }
+}
+
+#[test]
+fn rays_and_determinants_agree_about_every_polygon() {
+    for (name, size) in [("gears", 2), ("mount", 4), ("nurbtst", 1), ("sombrero", 1), ("teapot", 4), ("tetra", 4)] {
+        let scene = built_in(name, size, Curves::Kept);
+        let choices = Choices { size: Some((150, 120)), ..Choices::default() };
+        let truth = picture(&scene, &choices);
+        // As if opaque: rays stop at what they meet first.
+        let list = numbered(&run(&scene, &choices).0);
+        let exact = judge(&list, &Rules::UNSNAPPED);
+        let (mut same, mut other, mut disputed) = (0, 0, 0);
+        for (index, (owner, hit)) in exact.owner.iter().zip(&truth.hits).enumerate() {
+            let source = owner.map(|owner| list.polygons[owner as usize].source);
+            // The polygons of spheres are no spheres: only what both see as a polygon is compared.
+            match (source, hit.map(|hit| hit.part)) {
+                (None, None) => same += 1,
+                (Some(source), Some(Part::Polygon(number))) if !source.tessellated => {
+                    let depth = list
+                        .polygon(owner.expect("an owner") as usize)
+                        .inverse_w((index % 150) as i32, (index / 150) as i32);
+                    let far = hit.expect("a hit").depth * depth;
+                    same += u32::from(source.number == number && (far - 1.0).abs() < 1e-5);
+                    disputed += u32::from(source.number != number && exact.disputed[index]);
+                    other += u32::from(source.number != number && !exact.disputed[index]);
+                }
+                (Some(source), Some(Part::Primitive(_))) if source.tessellated => (),
+                _ => other += u32::from(name != "mount"),
+            }
+        }
+        println!("{name}: {same} the same, {disputed} disputed, {other} other");
+        assert!(same > 10_000 && other == 0, "{name}: {same} {other}");
     }
 }
