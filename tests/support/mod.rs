@@ -6,6 +6,7 @@ pub mod built_in;
 pub mod cut;
 pub mod half_planes;
 pub mod mixed;
+pub mod owners;
 pub mod random;
 pub mod scenes;
 pub mod shapes;
