@@ -20,7 +20,9 @@
 //! | [`screen`] | screen polygons, planes, the reflection model, screen files |
 //! | [`geometry`] | cull, clip, light, split, project: FAROP's figure 4 |
 //! | [`raster`] | the contract, the target, the z-buffer, Watkins, wire |
+//! | [`oracle`] | what the picture ought to be, found by other means |
 //! | [`render`] | the driver; why a sample shows what it shows |
+//! | [`lab`] | how accurate all this is, measured |
 //! | [`grade`] | probes that find a rasterizer's mistakes |
 //! | [`cli`] | the command line |
 //!
@@ -32,8 +34,10 @@ pub mod diagnostic;
 pub mod geometry;
 pub mod grade;
 pub mod image;
+pub mod lab;
 pub mod math;
 pub mod model;
+pub mod oracle;
 pub mod parse;
 pub mod plan;
 pub mod raster;

@@ -2,6 +2,7 @@
 
 use super::error::{self, CliError};
 use crate::grade;
+use crate::lab::check::CHECKS;
 use crate::raster::Registry;
 use crate::spd;
 use clap::{Args, ValueEnum};
@@ -29,11 +30,7 @@ impl ListCommand {
             What::Scenes => scenes(),
             What::Rasterizers => rasterizers(registry),
             What::Labs => labs(),
-            // Said plainly: a list of something else would look like one.
-            What::Checks => {
-                "There are no accuracy checks to run from here yet; `cargo test` holds those of the project.\n"
-                    .to_string()
-            }
+            What::Checks => checks(),
         })
     }
 }
@@ -52,6 +49,11 @@ fn scenes() -> String {
 fn rasterizers(registry: &Registry) -> String {
     let rows = registry.iter().map(|entry| format!("{:<11}{}\n", entry.name, entry.summary));
     rows.collect::<String>() + "none       draws nothing: counts and times only\n"
+}
+
+fn checks() -> String {
+    CHECKS.iter().map(|check| format!("{:<14}{}\n", check.name, check.claim)).collect::<String>()
+        + "Run one with `farop check NAME`, all of them in short with `farop check --quick`.\n"
 }
 
 fn labs() -> String {

@@ -7,6 +7,7 @@
 //!
 //! Exit codes: 0 done, 1 checked and found wanting, 2 could not run (message on stderr, no partial file).
 
+mod check;
 mod compare;
 mod convert;
 mod dump;
@@ -74,6 +75,7 @@ enum Command {
     Raster(raster::RasterCommand),
     Suite(suite::SuiteCommand),
     Compare(compare::CompareCommand),
+    Check(check::CheckCommand),
     Convert(convert::ConvertCommand),
     Generate(generate::GenerateCommand),
     Plan(plan::PlanCommand),
@@ -112,6 +114,7 @@ impl Command {
             Command::Raster(command) => command.run(registry),
             Command::Suite(command) => command.run(registry),
             Command::Compare(command) => command.run(),
+            Command::Check(command) => command.run(),
             Command::Convert(command) => command.run(),
             Command::Generate(command) => command.run(),
             Command::Plan(command) => command.run(registry),

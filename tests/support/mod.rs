@@ -8,6 +8,7 @@ pub mod cut;
 pub mod half_planes;
 pub mod hard;
 pub mod mixed;
+pub mod owners;
 pub mod random;
 pub mod scenes;
 pub mod shapes;

@@ -1,0 +1,84 @@
+//! Checks: claims about accuracy, each an experiment that prints its figures.
+//!
+//! `farop check NAME` -> [`Check`] -> [`Report`] -> figures, and misses that make exit code 1
+//!
+//! A check compares the program with a judge that shares no code with what it judges ([`crate::oracle`], whole numbers, or a
+//! relation that must hold between two runs). It also counts how hard its cases were: an experiment in which nothing ever touches says
+//! nothing about ties.
+//!
+//! Cost: seconds with [`Extent::Quick`]; [`Extent::Full`] is for the record and may take many minutes.
+
+mod predicates;
+mod random;
+mod report;
+
+pub use random::Random;
+pub use report::{Figure, Report, Value};
+
+/// One claim about accuracy and the experiment that tests it.
+pub struct Check {
+    /// What `farop check` calls it.
+    pub name: &'static str,
+    /// What holds, in one sentence.
+    pub claim: &'static str,
+    /// The experiment.
+    pub run: fn(&Effort, &mut Report),
+}
+
+/// All checks, in the order in which they run.
+pub const CHECKS: &[Check] = &[Check {
+    name: "predicates",
+    claim: "the turn of three points is exact for every finite f64",
+    run: predicates::run,
+}];
+
+/// The check of that name.
+#[must_use]
+pub fn find(name: &str) -> Option<&'static Check> {
+    CHECKS.iter().find(|check| check.name == name)
+}
+
+/// How much an experiment may do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Extent {
+    /// All checks together in two minutes on two cores.
+    Quick,
+    /// As many cases as the claim's record names.
+    Full,
+}
+
+/// What an experiment is told: how much, and from which seed its cases come.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Effort {
+    /// Few or many cases.
+    pub extent: Extent,
+    /// The same seed gives the same cases.
+    pub seed: u64,
+}
+
+impl Effort {
+    /// `quick` or `full`.
+    #[must_use]
+    pub fn count(&self, quick: u64, full: u64) -> u64 {
+        match self.extent {
+            Extent::Quick => quick,
+            Extent::Full => full,
+        }
+    }
+
+    /// A source of cases for one part of an experiment: parts do not depend on each other's length.
+    #[must_use]
+    pub fn random(&self, part: u64) -> Random {
+        Random::new(self.seed.wrapping_mul(0x9E37_79B9_7F4A_7C15).wrapping_add(part))
+    }
+}
+
+impl Check {
+    /// Runs the experiment.
+    #[must_use]
+    pub fn report(&self, effort: &Effort) -> Report {
+        let mut report = Report::new(self.name, self.claim);
+        (self.run)(effort, &mut report);
+        report
+    }
+}
