@@ -103,7 +103,8 @@ fn contract_depth(list: &DrawList, plane: &Plane, (x, y): (i32, i32)) -> f64 {
     };
     let value = match plane.evaluation {
         Evaluation::Constant => plane.c,
-        Evaluation::Double => at(x, y),
+        // A depth never runs along scan lines; were one marked so, its plane would still be one.
+        Evaluation::Double | Evaluation::ScanLine => at(x, y),
         Evaluation::Samples => f64::from(at(x, y) as f32),
         Evaluation::Blocks => {
             let (dx, dy) = (x.rem_euclid(16), y.rem_euclid(16));
