@@ -118,7 +118,23 @@ fn table() {
     for (of, smooth) in &smooth[..2] {
         row("scanline, normals smooth", of, &picture(smooth, &gouraud), &picture(smooth, &scan_line));
     }
+    println!("\nto see");
+    TO_SEE.iter().for_each(|line| println!("{line}"));
 }
+
+/// What to look for, a line a switch.
+const TO_SEE: [&str; 10] = [
+    "--subpixel-bits 0         ragged edges; teeth of different widths",
+    "--clip-light relight      colors of polygons at the border, which move when the border does",
+    "--interpolation screen    highlights a little too near, largest on floors",
+    "--interpolation scanline  horizontal streaks across polygons with many corners; other ones after a roll",
+    "--flat sipp               two colors in what should be one plane; faces that lean towards their neighbors",
+    "--transparency additive   layers of glass too dense where they lie over each other",
+    "--culling nff             the far sides of glass",
+    "--angle centers           edges half a pixel nearer to the middle, at the border",
+    "--encoding linear         everything between black and white too dark",
+    "--normals smooth          cushions: flat faces that bend at their rims",
+];
 
 fn base() -> Choices {
     Choices { size: Some((SIDE, SIDE)), threads: Some(1), ..Choices::default() }

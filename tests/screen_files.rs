@@ -160,6 +160,28 @@ fn assert_same(a: &DrawList, b: &DrawList) {
 // ---- v2 -------------------------------------------------------------------------------------------------------------
 
 #[test]
+fn only_what_varies_may_run_along_scan_lines_and_only_if_the_head_says_so() {
+    let choices = Choices { interpolation: Interpolation::ScanLine, ..choices() };
+    let canvas = Canvas::new(&scene(), &choices);
+    let text = v2(
+        &render::list(&scene(), &choices, Some(&ZBuffer)).expect("a fine scene"),
+        &sheet(&canvas, choices.encoding),
+        Attributes::default(),
+    );
+    assert!(text.lines().any(|line| line.starts_with("plane red") && line.ends_with(" scanline")), "{text}");
+    let refused = |text: String| read(&text, &ReadOptions::default()).expect_err("is refused").to_string();
+    let under_another_head = refused(text.replace("interpolation scanline", "interpolation screen"));
+    let of_depth = text.lines().map(|line| match line.starts_with("plane depth") {
+        true => line.replace(" blocks", " scanline") + "\n",
+        false => line.to_string() + "\n",
+    });
+    let of_depth = refused(of_depth.collect());
+    for message in [under_another_head, of_depth] {
+        assert!(message.contains("how it is evaluated") && message.contains("scanline"), "{message}");
+    }
+}
+
+#[test]
 fn dump_then_raster_draws_the_bytes_of_render() {
     for choices in all_choices() {
         let rasterizer: &dyn Rasterizer = if choices.shading == Shading::Wire { &PerPolygon(Wire) } else { &ZBuffer };
