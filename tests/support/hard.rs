@@ -33,7 +33,7 @@ fn choices(seed: u64) -> Choices {
         transparency: Transparency::ALL[pick(2, 16)],
         samples: [1, 1, 1, 1, 1, 1, 2][pick(7, 1)],
         threads: Some([1, 2, 1, 3, 1, 1, 1, 1, 1, 1, 1][pick(11, 1)]),
-        triangles: seed % 13 == 0,
+        triangles: seed.is_multiple_of(13),
         ..Choices::default()
     }
 }
@@ -144,7 +144,7 @@ impl Crowd {
         for (number, mesh) in std::mem::take(&mut self.meshes).into_iter().enumerate() {
             let color = Rgb::new(self.random.unit(), self.random.unit(), self.random.unit());
             let mut material = Material { color, diffuse: 0.7, specular: 0.2, shine: 9.0, ..Material::default() };
-            if seed % 2 == 0 && number % 2 == 1 {
+            if seed.is_multiple_of(2) && number % 2 == 1 {
                 material.opacity = Rgb::new(0.25, 0.5, self.random.unit());
             }
             surfaces.push(surface(material, mesh));
@@ -162,7 +162,7 @@ impl Crowd {
 fn star(tips: usize, inner: f64) -> Vec<(f64, f64)> {
     let corner = |i: usize| {
         let angle = i as f64 / tips as f64 * std::f64::consts::PI;
-        let radius = if i % 2 == 0 { 1.0 } else { inner };
+        let radius = if i.is_multiple_of(2) { 1.0 } else { inner };
         (angle.cos() * radius, angle.sin() * radius)
     };
     (0..2 * tips).map(corner).collect()
@@ -172,6 +172,6 @@ fn star(tips: usize, inner: f64) -> Vec<(f64, f64)> {
 fn comb(teeth: usize) -> Vec<(f64, f64)> {
     let mut corners = vec![(-1.0, -1.0), (1.0, -1.0)];
     let at = |i: usize| 1.0 - i as f64 / teeth as f64;
-    corners.extend((0..2 * teeth).map(|i| (at(i), if i % 2 == 0 { 1.0 } else { -0.4 })));
+    corners.extend((0..2 * teeth).map(|i| (at(i), if i.is_multiple_of(2) { 1.0 } else { -0.4 })));
     corners
 }
