@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let sun = LightSource::Directional { to_light: Vec3::new(-3.0, -5.0, 4.0) };
     let basic = |c3| Reflection::Basic { c3 };
     let models = [Reflection::Nff, Reflection::Phong, basic(0.3)];
-    write(&row_of_balls(&models, light(sun, 1.4)), (240, 80), place("models"))?;
+    write(&row_of_balls(&models, light(sun, 2.5)), (240, 80), place("models"))?;
     let widths = [basic(0.05), basic(0.15), basic(0.4), basic(1.0)];
     write(&row_of_balls(&widths, light(sun, 1.0)), (256, 64), place("c3"))?;
 

@@ -87,6 +87,22 @@ fn the_commands_convert_and_render_give_the_same_bytes() {
 }
 
 #[test]
+fn commands_say_what_nff_could_not() {
+    let desk = Desk::new();
+    desk.write("scene.nff", written(&sipp_like::scene(&mut Random::new(3), Kinds::PhongAndPoints)).0);
+    let stage = desk.done("render scene.nff --dump-stage scene");
+    for words in [", intensity 0.3\n", " shapes, phong, two-sided\n"] {
+        assert!(stage.text().contains(words), "{words}: {}", stage.text());
+    }
+    let stats = desk.done("render scene.nff --stats -o scene.png");
+    let said = stats.text().to_string() + &stats.stderr;
+    assert!(said.contains(", intensity 0.3\n") && said.contains("), phong, two-sided\n"), "{said}");
+    let plan = desk.done("plan scene.nff");
+    assert!(plan.text().contains("each of 1 lights 0.500, 3 lights with their own, "), "{}", plan.text());
+    assert!(plan.text().contains("are two-sided and keep their back faces"), "{}", plan.text());
+}
+
+#[test]
 fn a_plain_scene_is_written_without_comments() {
     for name in ["highlight.nff", "glass.nff", "smooth_normals.nff"] {
         let folder = Desk::new();
