@@ -17,7 +17,7 @@
 //! | [`model`], [`spd`] | shapes as polygons; the standard procedural databases |
 //! | [`parse`], [`write`](mod@write) | NFF in, NFF out |
 //! | [`plan`] | what the scene needs and what the user chose |
-//! | [`screen`] | screen polygons, planes, the reflection model, screen files |
+//! | [`screen`] | screen polygons, planes, lights and reflection models, screen files |
 //! | [`geometry`] | cull, clip, light, split, project: FAROP's figure 4 |
 //! | [`raster`] | the contract, the target, the z-buffer, Watkins, wire |
 //! | [`oracle`] | what the picture ought to be, found by other means |
@@ -61,6 +61,8 @@ mod documents {
     struct Conventions;
     #[doc = include_str!("../docs/glossary.md")]
     struct Glossary;
+    #[doc = include_str!("../docs/shading.md")]
+    struct Shading;
     #[doc = include_str!("../docs/snapshots.md")]
     struct Snapshots;
     #[doc = include_str!("../docs/formats.md")]

@@ -46,6 +46,32 @@ macro_rules! assert_messages {
 }
 
 #[test]
+fn comments_for_farop() {
+    let triangle = "f 1 0 0 .8 0 0 0 1\np 3 0 0 0 1 0 0 1 1 0\n";
+    assert_messages!(
+        "nff_comments_for_farop",
+        [
+            "#farop lihgt intensity 1\nl 1 2 3\n".to_string() + triangle,
+            "#farop light intensity\nl 1 2 3\n".to_string() + triangle,
+            "#farop light intensity -1\nl 1 2 3\n".to_string() + triangle,
+            "#farop light\nl 1 2 3\n".to_string() + triangle,
+            "#farop light intensity 1\n\n# a comment between\n".to_string() + triangle,
+            "#farop surface phong ambeint 0.4\n".to_string() + triangle,
+            "#farop surface phong phong\n".to_string() + triangle,
+            "#farop surface opacity 1 0.5 2\n".to_string() + triangle,
+            "#farop surface opacity 1 0.5\n".to_string() + triangle,
+            "#farop surface\n".to_string() + triangle,
+            "#farop \n".to_string() + triangle,
+            "#farop surface phong\n#farop surface two_sided\n".to_string() + triangle,
+            triangle.to_string() + "#farop surface phong\n",
+            "f 1 0 0 .8 0 0 0 1\np 3 0 0 0\n#farop surface phong\n1 0 0 1 1 0".to_string(),
+            "# farop light\n#farop\n#faropage 7\n##farop x\n#FAROP y\n".to_string() + triangle,
+            "#farop surface phong two_sided # and why\n".to_string() + triangle,
+        ]
+    );
+}
+
+#[test]
 fn numbers() {
     assert_messages!(
         "nff_numbers",

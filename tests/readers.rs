@@ -1,9 +1,12 @@
 //! The example readers in C, C++, Java and Python: short enough to hand out, and right.
 
 use farop::color::Rgb;
+use farop::math::Vec3;
 use farop::plan::{DepthFormat, Varying};
+use farop::scene::{Reflection, SpotEdge};
 use farop::screen::DrawList;
 use farop::screen::file::{Attributes, READERS, Sheet, write_v2};
+use farop::screen::shader::{EyeLight, EyeSource, Spot};
 use std::path::Path;
 use std::process::{Command, Output};
 
@@ -13,6 +16,13 @@ fn example() -> (String, String) {
     list.push_flat(&[(1.25, 2.5), (40.0, 3.0), (20.5, 30.75)], 0.5, [1.0, 0.5, 0.25]);
     list.push_flat(&[(10.0, 0.125), (63.5, 20.0), (50.0, 47.5), (12.0, 40.0)], 0.25, [0.1, 1e-9, 0.7]);
     assert_eq!((list.varying, list.depth_mapping.format), (Varying::Color, DepthFormat::F32));
+    // What only light is made of is nothing to a reader of colors.
+    let towards = EyeSource::Directional { to_light: Vec3::Y };
+    let spot = Spot { position: Vec3::ONE, axis: Vec3::Z, cosine: 0.75, edge: SpotEdge::Soft };
+    list.shader.lights =
+        [towards, EyeSource::Spot(spot)].map(|source| EyeLight { source, color: Rgb::gray(0.5) }).to_vec();
+    list.shader.surfaces[0].reflection = Reflection::Basic { c3: 0.25 };
+    list.shader.surfaces[1].reflection = Reflection::Phong;
     let sheet = Sheet { background: Rgb::gray(0.1), ..Sheet::default() };
     let mut bytes = Vec::new();
     write_v2(&list, &sheet, Attributes::default(), &mut bytes).expect("memory takes everything");

@@ -13,6 +13,7 @@ mod convert;
 mod dump;
 mod error;
 mod generate;
+mod lighting;
 mod list;
 mod options;
 mod plan;

@@ -1,6 +1,7 @@
 //! `--dump-stage`: the values between the stages, as text.
 
 use super::error::CliError;
+use super::lighting::{light_words, surface_words};
 use crate::geometry::{self, Trace};
 use crate::plan::{Accepts, Choices, Plan};
 use crate::raster::Rasterizer;
@@ -75,7 +76,8 @@ fn scene_text(scene: &Scene, text: &mut String) -> std::fmt::Result {
         )?;
     }
     for light in &scene.lights {
-        writeln!(text, "light {} color {:?}", light.source.position(), light.color.to_array())?;
+        let (position, color) = (light.source.position(), light.color.to_array());
+        writeln!(text, "light {position} color {color:?}{}", light_words(light))?;
     }
     let mut depths = vec![0usize; scene.objects.len()];
     let mut result = Ok(());
@@ -98,14 +100,15 @@ fn object_text(scene: &Scene, object: &crate::scene::Object, depth: usize, text:
         let (mesh, material) = (&surface.mesh, &surface.material);
         writeln!(
             text,
-            "{indent}  surface color {:?} Kd {} Ks {} shine {}: {} polygons, {} vertices, {} shapes",
+            "{indent}  surface color {:?} Kd {} Ks {} shine {}: {} polygons, {} vertices, {} shapes{}",
             material.color.to_array(),
             material.diffuse,
             material.specular,
             material.shine,
             mesh.polygons.len(),
             mesh.vertices.len(),
-            surface.primitives.len()
+            surface.primitives.len(),
+            surface_words(surface)
         )?;
     }
     Ok(())

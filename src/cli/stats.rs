@@ -1,5 +1,6 @@
 //! `--stats`: counts and times; as text, line by line FAROP's diagnostics (appendix A.3 of the paper).
 
+use super::lighting::{light_words, surface_words};
 use super::scenes::Loaded;
 use crate::plan::Plan;
 use crate::raster::PutCounts;
@@ -91,21 +92,23 @@ fn import_lines(loaded: &Loaded, plan: &Plan, text: &mut String) -> std::fmt::Re
     for light in &scene.lights {
         let (position, color) = (light.source.position(), light.color);
         let position = format!("({:.2} {:.2} {:.2})", position.x, position.y, position.z);
-        writeln!(text, "Pipeline: NFF light loaded {position} ({:.2} {:.2} {:.2})", color.r, color.g, color.b)?;
+        let color = format!("({:.2} {:.2} {:.2})", color.r, color.g, color.b);
+        writeln!(text, "Pipeline: NFF light loaded {position} {color}{}", light_words(light))?;
     }
     for surface in &scene.surfaces {
         let material = &surface.material;
         let (ambient, color) = (material.ambient.unwrap_or(plan.ambient * material.diffuse), material.color);
         writeln!(
             text,
-            "Pipeline: NFF surface with {} polygons ({ambient:.2},{:.2},{:.2},{},{:.2},{:.2},{:.2})",
+            "Pipeline: NFF surface with {} polygons ({ambient:.2},{:.2},{:.2},{},{:.2},{:.2},{:.2}){}",
             surface.mesh.polygons.len(),
             material.specular,
             material.diffuse,
             material.shine,
             color.r,
             color.g,
-            color.b
+            color.b,
+            surface_words(surface)
         )?;
     }
     let [spheres, cones, others] = shapes(scene);

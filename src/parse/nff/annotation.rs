@@ -137,7 +137,10 @@ impl<'a> Words<'a> {
             return Err(self.mistake("the line ends too early", format!("{range} should follow on the same line")));
         };
         let number = tokens::number(word).ok().map(|number| number.value).filter(|value| (0.0..=most).contains(value));
-        number.ok_or_else(|| self.mistake(format!("{} where {range} should stand", quote(word)), "correct it"))
+        number.ok_or_else(|| {
+            let of = self.seen.last().copied().unwrap_or_default();
+            self.mistake(format!("{} is not {range}", quote(word)), format!("it belongs to {}", quote(of)))
+        })
     }
 
     fn unknown(&self, known: &[&str]) -> Mistake {
