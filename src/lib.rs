@@ -19,7 +19,7 @@
 //! | [`plan`] | what the scene needs and what the user chose |
 //! | [`screen`] | screen polygons, planes, the reflection model, screen files |
 //! | [`geometry`] | cull, clip, light, split, project: FAROP's figure 4 |
-//! | [`raster`] | the contract, the target, the z-buffer, Watkins, wire |
+//! | [`raster`] | the contract, the target, the z-buffer, Watkins, scan line, wire |
 //! | [`render`] | the driver; why a sample shows what it shows |
 //! | [`grade`] | probes that find a rasterizer's mistakes |
 //! | [`cli`] | the command line |
