@@ -252,6 +252,21 @@ fn nff_and_sipp_merge_on_the_command_line() {
     assert_eq!(overridden.stderr, "", "nobody wrote what --from replaces");
 }
 
+/// Every example of the document is a whole scene without a mistake.
+#[test]
+fn the_examples_of_the_document_are_read() {
+    let document = include_str!("../docs/formats.md");
+    let examples: Vec<&str> =
+        document.split("```sipp\n").skip(1).map(|rest| rest.split("```").next().expect("a block ends")).collect();
+    assert!(examples.len() >= 8);
+    for example in examples {
+        let parsed = read_sipp("example.sipp", example.as_bytes(), ParseOptions::default());
+        let parsed = parsed.unwrap_or_else(|errors| panic!("{errors}\n{example}"));
+        let said = parsed.notices.to_string();
+        assert!(said.is_empty() || example.contains("import"), "{said}\n{example}");
+    }
+}
+
 /// Deep nesting and many siblings take time in proportion, and no stack.
 #[test]
 fn a_hundred_thousand_nested_objects_and_as_many_siblings() {
