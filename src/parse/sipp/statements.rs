@@ -4,9 +4,10 @@
 //! Source: J. Yngvesson and I. Wallin, "SIPP User's Guide" (defaults of the camera, what `to` means).
 
 use super::Reader;
-use super::block::{Block, Parameter, with_suggestion};
+use super::block::{Block, with_suggestion};
 use super::draft::Shader;
 use super::notices::Oddity;
+use super::table::Parameter;
 use super::trouble::Trouble;
 use super::vocabulary::{self, BASIC, CAMERA, DIRECTIONAL, ON_OFF, PHONG, POINT, SPOT};
 use super::words::Kind;

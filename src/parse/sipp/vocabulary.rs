@@ -1,6 +1,6 @@
 //! The words of the language, and what belongs in which block.
 
-use super::block::{Parameter, Range, Takes, numbers, other};
+use super::table::{Parameter, Range, Takes, numbers, other};
 
 /// Words that start a statement at the level of the file.
 pub(super) const FILE_WORDS: &[&str] =
