@@ -319,6 +319,27 @@ fn cut_files_name_the_block() {
     }
 }
 
+/// Mistakes without end cost no more than those that are told.
+#[test]
+fn a_hundred_thousand_mistakes_are_twenty() {
+    let many = |line: &str| line.repeat(100_000);
+    let names: String = (0..100_000).map(|i| format!("object some_object_{i} {{}}\n")).collect();
+    let circles: String =
+        (0..1000).map(|i| format!("object d{i} {{ use d{0} use d0 use d0 }}\n", (i + 1) % 1000)).collect();
+    for text in [
+        format!("{names} world {{ {} }}", many("use some_obejct\n")),
+        circles,
+        many("object a {}\n"),
+        many("world { sphere { radius x } }\n"),
+        world(&format!("surface red {{ {} }}", many("polygon { 1 2 3 }\n"))),
+        many("}\n"),
+    ] {
+        let errors = read(text.as_bytes()).expect_err("full of mistakes");
+        assert_eq!(errors.list.len(), 21, "{}", errors.list[0].message);
+        assert!(errors.list[20].message.starts_with("too many errors"));
+    }
+}
+
 /// Words of the language, numbers and rubbish.
 fn soup() -> impl Strategy<Value = Vec<u8>> {
     let mut words: Vec<String> = EVERYTHING.split_whitespace().map(str::to_string).collect();

@@ -121,7 +121,9 @@ impl Reader<'_> {
             return Err(unknown_parameter(owner, word, token.span, known).into());
         };
         self.words.take();
-        if let (Some(first), false) = (block.find(parameter.word), parameter.repeats) {
+        // Only what may not repeat is looked for: a block may hold a million `v`.
+        let earlier = if parameter.repeats { None } else { block.find(parameter.word) };
+        if let Some(first) = earlier {
             let message = format!("`{}` is given twice in this `{owner}`", parameter.word);
             let error = Diagnostic::error(message).at(token.span, "again").at(first.keyword, "first here");
             self.tell(error.help("keep one of them").into());

@@ -5,13 +5,14 @@
 //!
 //! Cost: linear in nodes and references.
 
+use super::MOST_ERRORS;
 use super::draft::{Copying, Draft, Node, NodeKind};
 use super::names::{Names, bytes};
 use super::notices::{Notices, Oddity};
 use super::order::order;
 use crate::diagnostic::{Diagnostic, Source, Span};
 use crate::parse::wording::plain;
-use crate::scene::Scene;
+use crate::scene::{Mesh, Scene};
 
 /// How many nodes and, apart from them, surfaces `copy` and `clone` may make.
 const MOST_COPIES: u64 = 1_000_000;
@@ -34,14 +35,20 @@ pub(super) struct Checked {
 pub(super) fn check(source: &Source, draft: &Draft, notices: &mut Notices) -> Result<Checked, Vec<Diagnostic>> {
     let mut errors = Vec::new();
     let names = Names::new(source, draft, &mut errors);
-    let mut found = |result: Result<u32, Diagnostic>| result.map_err(|error| errors.push(error)).ok();
+    // What is told is enough: looking for similar names is slow, and a file may hold a million mistakes.
+    let mut found = |lookup: &dyn Fn() -> Result<u32, Diagnostic>| {
+        if errors.len() > MOST_ERRORS {
+            return None;
+        }
+        lookup().map_err(|error| errors.push(error)).ok()
+    };
     let shaders: Vec<u32> =
-        draft.surfaces.iter().map(|surface| found(names.shader(surface.shader)).unwrap_or_default()).collect();
+        draft.surfaces.iter().map(|surface| found(&|| names.shader(surface.shader)).unwrap_or_default()).collect();
     let (mut targets, mut new_shaders) = (vec![None; draft.nodes.len()], vec![None; draft.nodes.len()]);
     for (index, node) in draft.nodes.iter().enumerate() {
         let NodeKind::Reference { target, shader, .. } = node.kind else { continue };
-        targets[index] = found(names.object(target));
-        new_shaders[index] = shader.and_then(|shader| found(names.shader(shader)));
+        targets[index] = found(&|| names.object(target));
+        new_shaders[index] = shader.and_then(|shader| found(&|| names.shader(shader)));
         if targets[index].is_some_and(|target| draft.nodes[target as usize].is_transformed) {
             notices.note(Oddity::TransformsLeft, node.keyword);
         }
@@ -49,7 +56,7 @@ pub(super) fn check(source: &Source, draft: &Draft, notices: &mut Notices) -> Re
     let order = order(source, draft, &targets);
     errors.extend(order.cycles);
     if errors.is_empty() {
-        errors.extend(Sizes { source, draft, targets: &targets }.check(&order.drawn));
+        errors.extend(Sizes::new(source, draft, &targets).check(&order.drawn));
     }
     // Of many mistakes those that stand first are told.
     errors.sort_by_key(|error| error.labels.first().map_or(Span::default().start, |(span, _)| span.start));
@@ -78,9 +85,19 @@ struct Sizes<'a> {
     source: &'a Source,
     draft: &'a Draft,
     targets: &'a [Option<u32>],
+    /// Of each import.
+    imports: Vec<Size>,
 }
 
-impl Sizes<'_> {
+impl<'a> Sizes<'a> {
+    fn new(source: &'a Source, draft: &'a Draft, targets: &'a [Option<u32>]) -> Sizes<'a> {
+        let imports = draft.imports.iter().map(|scene| {
+            let corners = scene.surfaces.iter().map(|surface| corners(&surface.mesh)).sum();
+            Size { objects: scene.objects.len() as u64, surfaces: scene.surfaces.len() as u64, corners }
+        });
+        Sizes { source, draft, targets, imports: imports.collect() }
+    }
+
     /// The first node, in building order, that stands for too much.
     fn check(&self, order: &[u32]) -> Option<Diagnostic> {
         let mut sizes = vec![Size::default(); self.draft.nodes.len()];
@@ -120,16 +137,12 @@ impl Sizes<'_> {
         }
         let mut size = Size { objects: u64::from(node.kind != NodeKind::World), ..Size::default() };
         for &surface in &node.surfaces {
-            let mesh = &self.draft.surfaces[surface as usize].mesh;
-            size.add(Size { objects: 0, surfaces: 1, corners: (mesh.vertices.len() + mesh.outlines.len()) as u64 });
+            let corners = corners(&self.draft.surfaces[surface as usize].mesh);
+            size.add(Size { objects: 0, surfaces: 1, corners });
         }
         node.children.iter().for_each(|&child| size.add(sizes[child as usize]));
         if let NodeKind::Import(import) = node.kind {
-            let scene = &self.draft.imports[import as usize];
-            let corners =
-                scene.surfaces.iter().map(|surface| surface.mesh.vertices.len() + surface.mesh.outlines.len());
-            let (objects, surfaces) = (scene.objects.len() as u64, scene.surfaces.len() as u64);
-            size.add(Size { objects, surfaces, corners: corners.sum::<usize>() as u64 });
+            size.add(self.imports[import as usize]);
         }
         size
     }
@@ -157,4 +170,9 @@ impl Sizes<'_> {
     fn word(&self, node: &Node) -> String {
         plain(bytes(self.source, node.keyword))
     }
+}
+
+/// Vertices and corners of polygons.
+fn corners(mesh: &Mesh) -> u64 {
+    (mesh.vertices.len() + mesh.outlines.len()) as u64
 }

@@ -5,6 +5,7 @@
 //! Source: R. Tarjan, "Depth-First Search and Linear Graph Algorithms", SIAM J. Comput. 1(2), 1972.
 //! Cost: linear in nodes and references.
 
+use super::MOST_ERRORS;
 use super::draft::{Draft, NodeKind};
 use super::names::bytes;
 use crate::diagnostic::{Diagnostic, Source};
@@ -59,7 +60,11 @@ impl Search<'_> {
             let children = &self.draft.nodes[node as usize].children;
             let next = children.get(link).copied().or(self.targets[node as usize].filter(|_| link == children.len()));
             match next {
-                Some(next) if self.states[next as usize] == State::Open => found.cycles.push(self.cycle(next)),
+                Some(next) if self.states[next as usize] == State::Open => {
+                    if found.cycles.len() <= MOST_ERRORS {
+                        found.cycles.push(self.cycle(next));
+                    }
+                }
                 Some(next) => self.enter(next),
                 None => {
                     self.states[node as usize] = State::Done;
