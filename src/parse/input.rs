@@ -34,7 +34,6 @@ pub fn read_annotated_source(name: &str, reader: impl Read) -> Result<Source, Di
 ///
 /// # Errors
 /// The reader fails, the input or a line is too long, or it is UTF-16.
-#[allow(dead_code, reason = "for formats whose comments are nothing but comments")]
 pub fn read_source(name: &str, reader: impl Read) -> Result<Source, Diagnostics> {
     read_filtered(name, reader, Filter::default())
 }
