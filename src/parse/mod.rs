@@ -8,12 +8,14 @@
 //! Cost: `nff` reads more than 100 MB/s; memory holds the text without comments, and the scene.
 
 mod area;
+mod bezier;
 mod foreign;
 mod input;
 mod load;
 mod nff;
 mod tokens;
 
+pub use bezier::Net as BezierNet;
 pub use input::{INPUT_LIMIT, LINE_LIMIT};
 pub use load::{Format, load};
 
@@ -68,4 +70,19 @@ pub struct Parsed {
 /// ```
 pub fn read_nff(name: &str, text: &[u8], options: ParseOptions) -> Result<Parsed, Diagnostics> {
     nff::read(&input::read_source(name, text)?, options)
+}
+
+/// Reads SIPP's Bezier file from memory; `name` is what messages call it.
+///
+/// # Errors
+/// The mistakes of the text, each with its place.
+///
+/// ```
+/// use farop::parse::{BezierNet, read_bezier};
+/// let text = b"bezier_curves: vertices: 2 vertex_list: 1 0 0  1 0 2  curves: 1 curve_list: 2 2 1 1";
+/// let Ok(BezierNet::Curves(net)) = read_bezier("tube.bez", text) else { panic!("it is legal") };
+/// assert_eq!(net.curves, [[0, 0, 1, 1]]);
+/// ```
+pub fn read_bezier(name: &str, text: &[u8]) -> Result<BezierNet, Diagnostics> {
+    bezier::read(&input::read_source(name, text)?)
 }
