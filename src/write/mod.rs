@@ -4,5 +4,7 @@
 
 mod nff;
 mod number;
+mod sipp;
 
 pub use nff::{POLYGONIZED_SEGMENTS, write_nff};
+pub use sipp::write_sipp;
