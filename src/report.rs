@@ -29,11 +29,16 @@ pub struct Counts {
     pub triangles: u64,
     /// Polygons that were split.
     pub split: u64,
-    /// Polygons dropped because a number in them is not finite, or because they are seen exactly edge-on.
+    /// Polygons dropped because a number in them is not finite, or because they are seen exactly edge-on; and polygons and shapes
+    /// (a shape counts once) whose transform is singular or not finite: they have no inside and outside any more.
     pub skipped: u64,
+    /// Quads of Bezier shapes that are not planar (their diagonals pass each other at more than 1e-9 of the longer one) and were cut
+    /// along the shorter diagonal. `tessellated.polygons` counts such a quad once; its two triangles are then culled, clipped and
+    /// rendered each for itself, so tessellated polygons + nonplanar = backfacing + clipped + rendered (+ skipped).
+    pub nonplanar: u64,
     /// Ears that had to be forced, in self-crossing outlines.
     pub forced_ears: u64,
-    /// The same for polygons that spheres, cones and patches were turned into.
+    /// The same for polygons that shapes were turned into.
     pub tessellated: Tessellated,
     /// What was computed: the proof that what is not needed is not done.
     pub work: Work,

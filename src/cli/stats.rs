@@ -52,6 +52,7 @@ fn json(rendered: &Rendered) -> serde_json::Value {
         "triangles": counts.triangles,
         "split": counts.split,
         "skipped": counts.skipped,
+        "nonplanar": counts.nonplanar,
         "puts": puts.puts,
         "overdraw": puts.overdraw,
         "stray_writes": puts.stray_writes,
@@ -104,20 +105,29 @@ fn import_lines(loaded: &Loaded, plan: &Plan, text: &mut String) -> std::fmt::Re
             color.b
         )?;
     }
-    let (spheres, cones) = shapes(scene);
+    let [spheres, cones, others] = shapes(scene);
     let (surfaces, polygons) = (scene.surfaces.len(), plan.survey.polygons);
+    let others = if others > 0 { format!(", {others} other shapes") } else { String::new() };
     writeln!(
         text,
-        "Pipeline: Imported {surfaces} surfaces with {polygons} polygons, {spheres} spheres and {cones} cones."
+        "Pipeline: Imported {surfaces} surfaces with {polygons} polygons, {spheres} spheres and {cones} cones{others}."
     )?;
     writeln!(text, "Pipeline: NFF parser done")?;
     write_timer(text, loaded.parse_time)
 }
 
-fn shapes(scene: &Scene) -> (usize, usize) {
-    let shapes = || scene.surfaces.iter().flat_map(|surface| &surface.primitives);
-    let spheres = shapes().filter(|primitive| matches!(primitive.shape, Shape::Sphere { .. })).count();
-    (spheres, shapes().count() - spheres)
+/// How many spheres, cones and other shapes there are.
+fn shapes(scene: &Scene) -> [usize; 3] {
+    let mut numbers = [0; 3];
+    for primitive in scene.surfaces.iter().flat_map(|surface| &surface.primitives) {
+        let kind = match primitive.shape {
+            Shape::Sphere { .. } => 0,
+            Shape::Cone { .. } | Shape::CappedCone { .. } => 1,
+            _ => 2,
+        };
+        numbers[kind] += 1;
+    }
+    numbers
 }
 
 fn geometry_lines(rendered: &Rendered, output: Option<&Path>, text: &mut String) -> std::fmt::Result {
@@ -136,6 +146,9 @@ fn geometry_lines(rendered: &Rendered, output: Option<&Path>, text: &mut String)
     writeln!(text, "Pipeline: Polygons loaded: {}", counts.polygons)?;
     if counts.tessellated.polygons > 0 {
         writeln!(text, "Pipeline: Polygons of spheres and cones: {}", counts.tessellated.polygons)?;
+    }
+    if counts.nonplanar > 0 {
+        writeln!(text, "Pipeline: Polygons not planar, cut in two: {}", counts.nonplanar)?;
     }
     writeln!(text, "Pipeline: Polygons ready to be rendered!")?;
     let mut geometry = times.plan;

@@ -50,7 +50,7 @@ fn flat_surface(surface: &Surface, world_from_local: &Affine3, plan: &Plan) -> S
         append_polygons(&mut flat.mesh, &surface.mesh, next..primitive.before as usize, 0);
         next = primitive.before as usize;
         shape.clear();
-        let detail = detail(&primitive.shape, world_from_local, plan);
+        let detail = detail(primitive, world_from_local, plan);
         model::tessellate(&primitive.shape, primitive.inside, detail, primitive.line, &mut shape);
         let offset = append_vertices(&mut flat.mesh, &shape);
         append_polygons(&mut flat.mesh, &shape, 0..shape.polygons.len(), offset);

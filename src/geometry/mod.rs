@@ -131,6 +131,9 @@ impl<'a> Geometry<'a> {
         let mirrored = model::mirrors(world_from_local);
         self.counts.surfaces += 1;
         self.counts.vertices += surface.mesh.vertices.len() as u64;
+        if model::normals_from(world_from_local).is_none() {
+            return self.skip(surface);
+        }
         // Move shared vertices to eye space, once.
         let mut eye_mesh = std::mem::take(&mut self.surface_mesh);
         eye_mesh.fill(&surface.mesh, world_from_local, self.plan, &mut self.counts.work);
@@ -145,7 +148,14 @@ impl<'a> Geometry<'a> {
         self.surface_mesh = eye_mesh;
     }
 
-    /// A sphere or cone: turned into polygons for this view, or left out when the view does not see it.
+    /// A transform that flattens space, or is not finite, leaves polygons without two sides: they and the shapes are only counted.
+    fn skip(&mut self, surface: &Surface) {
+        let polygons = surface.mesh.polygons.len() as u64;
+        self.counts.polygons += polygons;
+        self.counts.skipped += polygons + surface.primitives.len() as u64;
+    }
+
+    /// A shape: turned into polygons for this view, or left out when the view does not see it.
     fn shape(&mut self, of: Part<'_>, number: usize, world_from_local: &Affine3) {
         let mut tessellator = std::mem::take(&mut self.tessellator);
         let mut eye_mesh = std::mem::take(&mut self.shape_mesh);
@@ -154,6 +164,9 @@ impl<'a> Geometry<'a> {
             eye_mesh.fill(&tessellator.mesh, world_from_local, self.plan, &mut self.counts.work);
             let part = Part { mesh: &tessellator.mesh, tessellated: true, shape: number as u32, ..of };
             self.polygons(part, &mut eye_mesh, 0..tessellator.mesh.polygons.len());
+            // Both halves of a quad went through the loop; it was one polygon of the shape.
+            self.counts.nonplanar += tessellator.nonplanar;
+            self.counts.tessellated.polygons -= tessellator.nonplanar;
         }
         self.tessellator = tessellator;
         self.shape_mesh = eye_mesh;

@@ -103,6 +103,8 @@ fn turned(normal: Vec3, world_normals: &Mat3, identity: bool) -> Vec3 {
 #[derive(Default)]
 pub(super) struct Tessellator {
     pub mesh: Mesh,
+    /// Quads of the shape that became two triangles each, because they are not planar.
+    pub nonplanar: u64,
 }
 
 impl Tessellator {
@@ -119,21 +121,23 @@ impl Tessellator {
             work.shapes_outside += 1;
             return false;
         }
-        let detail = detail(&primitive.shape, world_from_local, plan);
-        model::tessellate(&primitive.shape, primitive.inside, detail, primitive.line, &mut self.mesh);
+        let detail = detail(primitive, world_from_local, plan);
+        self.nonplanar = model::tessellate(&primitive.shape, primitive.inside, detail, primitive.line, &mut self.mesh);
         work.shape_vertices += self.mesh.vertices.len() as u64;
         true
     }
 }
 
-/// How finely a shape is cut up: as the user fixed it, or so that its silhouette is within the tolerance.
-pub(super) fn detail(shape: &Shape, world_from_local: &Affine3, plan: &Plan) -> Detail {
-    plan.choices
-        .resolution
-        .map_or_else(|| Detail::Segments(segments(shape, world_from_local, plan)), Detail::Resolution)
+/// How finely a shape is cut up: as its file says, as the user fixed it, or so that its silhouette is within the tolerance.
+pub(super) fn detail(primitive: &Primitive, world_from_local: &Affine3, plan: &Plan) -> Detail {
+    match (primitive.resolution, plan.choices.resolution) {
+        (Some(pair), _) => Detail::Grid(pair),
+        (None, Some(resolution)) => Detail::Resolution(resolution),
+        (None, None) => Detail::Grid(segments(&primitive.shape, world_from_local, plan)),
+    }
 }
 
-fn segments(shape: &Shape, world_from_local: &Affine3, plan: &Plan) -> u32 {
+fn segments(shape: &Shape, world_from_local: &Affine3, plan: &Plan) -> [u32; 2] {
     let view = &plan.view;
     let (half_width, half_height) = view.half();
     let corner_tangent_squared = (half_width * half_width + half_height * half_height) / (view.scale * view.scale);

@@ -3,9 +3,12 @@
 //! Why balls and not boxes: a turned ball is the same ball, so the test against the planes of the view needs one
 //! distance each. They are never too small; they may be a little too large.
 
+use super::cone::Cone;
+use super::cone_about_z;
 use super::segments::largest_stretch;
+use super::teapot::{Nets, parts};
 use crate::math::{Affine3, Vec3};
-use crate::scene::{Mesh, Shape};
+use crate::scene::{CurveNet, Mesh, PatchNet, Shape};
 
 /// All points within `radius` of `center`. An infinite radius holds everything.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,24 +39,90 @@ impl Ball {
     }
 }
 
-/// The ball around a shape: the sphere itself, or the smallest one around both end circles of a cone.
+/// The ball around a shape.
+///
+/// The smallest one around spheres, ellipsoids, both end circles of a cone, blocks and tori. Around prisms, patches, curves and the
+/// teapot one about the middle of their bounding box; what is bounded is the control points, and a Bezier shape lies within them.
 #[must_use]
 pub fn bounding_ball(shape: &Shape) -> Ball {
+    let about_origin = |radius: f64| Ball { center: Vec3::ZERO, radius };
     match *shape {
         Shape::Sphere { center, radius } => Ball { center, radius },
+        Shape::Ellipsoid { radii } => about_origin(radii.max_element()),
         Shape::Cone { base, base_radius, apex, apex_radius } => {
-            // On the axis, as far from the one circle as from the other, unless one of them holds the other anyway.
-            let axis = apex - base;
-            let height_squared = axis.length_squared();
-            let difference = apex_radius * apex_radius - base_radius * base_radius;
-            let part = if height_squared > 0.0 { 0.5 + 0.5 * difference / height_squared } else { 0.0 };
-            let center = base + axis * part.clamp(0.0, 1.0);
-            let reach = |end: Vec3, radius: f64| ((end - center).length_squared() + radius * radius).sqrt();
-            Ball { center, radius: reach(base, base_radius).max(reach(apex, apex_radius)) }
+            ball_of_cone(&Cone { base, base_radius, apex, apex_radius })
         }
-        _ => Ball { center: Vec3::ZERO, radius: f64::INFINITY },
+        Shape::CappedCone { bottom_radius, top_radius, length } => {
+            ball_of_cone(&cone_about_z(bottom_radius, top_radius, length))
+        }
+        Shape::Block { size } => about_origin(size.length() / 2.0),
+        Shape::Prism { ref outline, height } => {
+            let levels = [-height / 2.0, height / 2.0];
+            let corners = outline.iter().flat_map(|&[x, y]| levels.map(|z| Ring::point(Vec3::new(x, y, z))));
+            ball_of_rings(&corners.collect::<Vec<_>>())
+        }
+        Shape::Torus { ring_radius, tube_radius } => about_origin(ring_radius + tube_radius),
+        Shape::Patches(ref net) => ball_of_rings(&rings_of_patches(net).collect::<Vec<_>>()),
+        Shape::Curves(ref net) => ball_of_rings(&rings_of_curves(net).collect::<Vec<_>>()),
+        Shape::Teapot(part) => {
+            let of_part = |nets: &'static Nets| rings_of_curves(&nets.curves).chain(rings_of_patches(&nets.patches));
+            ball_of_rings(&parts(part).iter().flat_map(of_part).collect::<Vec<_>>())
+        }
     }
     .rounded_outward()
+}
+
+fn ball_of_cone(cone: &Cone) -> Ball {
+    // On the axis, as far from the one circle as from the other, unless one of them holds the other anyway.
+    let axis = cone.apex - cone.base;
+    let height_squared = axis.length_squared();
+    let difference = cone.apex_radius * cone.apex_radius - cone.base_radius * cone.base_radius;
+    let part = if height_squared > 0.0 { 0.5 + 0.5 * difference / height_squared } else { 0.0 };
+    let center = cone.base + axis * part.clamp(0.0, 1.0);
+    let reach = |end: Vec3, radius: f64| ((end - center).length_squared() + radius * radius).sqrt();
+    Ball { center, radius: reach(cone.base, cone.base_radius).max(reach(cone.apex, cone.apex_radius)) }
+}
+
+/// A point, or the circle that it runs on around the z axis.
+#[derive(Clone, Copy)]
+struct Ring {
+    center: Vec3,
+    radius: f64,
+}
+
+impl Ring {
+    fn point(center: Vec3) -> Ring {
+        Ring { center, radius: 0.0 }
+    }
+
+    fn turned(point: Vec3) -> Ring {
+        Ring { center: Vec3::Z * point.z, radius: point.truncate().length() }
+    }
+}
+
+fn rings_of_patches(net: &PatchNet) -> impl Iterator<Item = Ring> + '_ {
+    net.patches.iter().flatten().map(|&index| Ring::point(net.vertices[index as usize]))
+}
+
+fn rings_of_curves(net: &CurveNet) -> impl Iterator<Item = Ring> + '_ {
+    net.curves.iter().flatten().map(|&index| Ring::turned(net.vertices[index as usize]))
+}
+
+/// A ball about the middle of the rings' bounding box, as large as it must be.
+fn ball_of_rings(rings: &[Ring]) -> Ball {
+    let Some(first) = rings.first() else { return Ball { center: Vec3::ZERO, radius: 0.0 } };
+    let sides = |ring: &Ring| Vec3::new(ring.radius, ring.radius, 0.0);
+    let (low, high) = rings.iter().fold((first.center, first.center), |(low, high), ring| {
+        (low.min(ring.center - sides(ring)), high.max(ring.center + sides(ring)))
+    });
+    let center = low + (high - low) * 0.5;
+    let reach = |ring: &Ring| {
+        let way = ring.center - center;
+        (way.truncate().length() + ring.radius).hypot(way.z)
+    };
+    // Also not a number where a ring is none; such a ball becomes infinite.
+    let radius = rings.iter().map(reach).fold(0.0, |most: f64, reach| if reach <= most { most } else { reach });
+    Ball { center, radius }
 }
 
 /// A ball around all vertices of a mesh, about the middle of their bounding box; `None` where there are none.

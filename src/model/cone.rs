@@ -86,18 +86,22 @@ impl Cone {
             return;
         }
         let (n, triangles) = match detail {
-            Detail::Segments(n) => (n.clamp(MIN_CIRCLE, MAX_CIRCLE), false),
+            Detail::Segments(n) | Detail::Grid([n, _]) => (n.clamp(MIN_CIRCLE, MAX_CIRCLE), false),
             Detail::Resolution(n) => (4 * n.clamp(1, Detail::MAX_RESOLUTION), true),
         };
         match (self.is_flat(), triangles) {
             (true, _) => self.flat(n, triangles, sheet),
             (false, true) => self.triangles(n, sheet),
-            (false, false) => self.quads(n, sheet),
+            (false, false) => {
+                self.quads(n, sheet);
+            }
         }
     }
 
     /// The side as `n` planar quads, or as triangles where one end is a point.
-    fn quads(&self, n: u32, sheet: &mut Sheet<'_>) {
+    ///
+    /// Returns the first of the base's `n` vertices; the apex's follow behind them.
+    pub(super) fn quads(&self, n: u32, sheet: &mut Sheet<'_>) -> u32 {
         let frame = self.frame();
         // Push end by end: one vertex a corner, or one a segment where the end is a point.
         let mut end = |center: Vec3, radius: f64| {
@@ -124,6 +128,7 @@ impl Cone {
                 sheet.facet([base + i, base + next, apex + next, apex + i]);
             }
         }
+        base
     }
 
     /// The side as SPD's `2 n` triangles, in SPD's order; at a pointed end every other one has no area.

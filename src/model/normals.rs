@@ -41,7 +41,8 @@ pub fn averaged_normals(mesh: &Mesh, normals: &mut Vec<Vec3>) {
 /// The matrix that carries normals where `target_from_source` carries points; make its results unit again.
 ///
 /// It is the inverse transpose times the magnitude of the determinant: the matrix of cofactors, which needs no division and so holds
-/// for a scale of (1, 1, 1e-8) too. `None` where the map flattens space or is not finite: nothing then has two sides.
+/// for a scale of (1, 1, 1e-8) too. `None` where the map flattens space, as far as rounding can tell, or is not finite: nothing then
+/// has two sides.
 #[must_use]
 pub fn normals_from(target_from_source: &Affine3) -> Option<Mat3> {
     let scaled = scaled_to_one(target_from_source)?;
@@ -51,7 +52,11 @@ pub fn normals_from(target_from_source: &Affine3) -> Option<Mat3> {
         scaled.x_axis.cross(scaled.y_axis),
     );
     let determinant = scaled.determinant();
-    (determinant != 0.0).then(|| if determinant < 0.0 { -cofactors } else { cofactors })
+    // Turned before and after, a flat map has a determinant of noise: a few last places of what it is summed from. Lengths of rows or of
+    // columns bound that sum, and the smaller bound keeps a needle that is turned on one side only.
+    let bound = |matrix: &Mat3| matrix.x_axis.length() * matrix.y_axis.length() * matrix.z_axis.length();
+    let noise = 8.0 * f64::EPSILON * bound(&scaled).min(bound(&scaled.transpose()));
+    (determinant.abs() > noise).then(|| if determinant < 0.0 { -cofactors } else { cofactors })
 }
 
 /// Whether the map turns a left hand into a right one: outlines must then be reversed to keep their front.
@@ -121,5 +126,21 @@ mod tests {
         assert_eq!(normals_from(&Affine3::IDENTITY), Some(Mat3::IDENTITY));
         assert_eq!(normals_from(&Affine3::from_scale(Vec3::new(1.0, 1.0, 0.0))), None);
         assert!(normals_from(&Affine3::from_scale(Vec3::splat(1e-150))).is_some());
+    }
+
+    #[test]
+    fn a_flat_map_is_known_behind_turns_and_a_needle_is_not_flat() {
+        let turns = [0.3, 1.1, 2.9]
+            .map(|angle| Affine3::from_axis_angle(unit(Vec3::new(1.0, angle, -0.4)).expect("a way"), angle));
+        for (before, after) in turns.iter().flat_map(|before| turns.iter().map(move |after| (before, after))) {
+            for flat in [Vec3::new(1.0, 1.0, 0.0), Vec3::new(0.0, 3.0, 1e3), Vec3::new(1e-20, 0.0, 0.0)] {
+                assert_eq!(normals_from(&(*after * Affine3::from_scale(flat) * *before)), None, "{flat}");
+            }
+            let plate = Affine3::from_scale(Vec3::new(1.0, 1e-10, 1.0));
+            let needle = Affine3::from_scale(Vec3::new(1e-8, 1.0, 1e-8));
+            for map in [*after * plate * *before, *after * needle, needle * *before] {
+                assert!(normals_from(&map).is_some());
+            }
+        }
     }
 }

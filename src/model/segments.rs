@@ -1,4 +1,6 @@
-//! How many segments a sphere or cone needs, so that its outline in the picture is right to a tolerance in pixels.
+//! How many segments a shape needs, so that its outline in the picture is right to a tolerance in pixels.
+//!
+//! Here: spheres, ellipsoids and cones, whose outlines have closed forms. Tori and Bezier shapes: `curved`, from bounds.
 //!
 //! Space: eye space, +z along the view, in; pixels out. Cost: a few square roots a sphere, a few hundred multiplications a circle.
 //!
@@ -33,6 +35,8 @@
 //!
 //! Source: the derivation is our own; the one-direction formula is common knowledge.
 
+mod curved;
+
 use super::cone::Cone;
 use crate::math::{Affine3, Mat3, PI, Vec3, asin};
 use crate::scene::Shape;
@@ -57,32 +61,54 @@ pub struct Lens {
     pub corner_cosine: f64,
 }
 
-/// The number of segments a shape needs; even for spheres.
+/// The numbers of segments a shape needs, as [`super::Detail::Grid`] takes them: even for spheres; around the ring and the tube of a torus; along
+/// a curve and, in fours, around its axis; otherwise twice the same.
 ///
 /// * `eye_from_local`: any affine map; ellipses and ellipsoids are measured as what they are.
 /// * `tolerance`: pixels; zero or less gives the maximum.
 #[must_use]
-pub fn segments(shape: &Shape, eye_from_local: &Affine3, lens: &Lens, tolerance: f64) -> u32 {
+pub fn segments(shape: &Shape, eye_from_local: &Affine3, lens: &Lens, tolerance: f64) -> [u32; 2] {
     let axis = |direction: Vec3, radius: f64| eye_from_local.transform_vector3(direction * radius);
+    let ellipsoid = |center: Vec3, radii: Vec3| {
+        let half_axes = [axis(Vec3::X, radii.x), axis(Vec3::Y, radii.y), axis(Vec3::Z, radii.z)];
+        lens.ellipse_radius(eye_from_local.transform_point3(center), &half_axes)
+    };
+    let seen = curved::Seen { eye_from_local, lens, tolerance: tolerance.max(0.0) };
+    let both = |n: u32| [n, n];
     match *shape {
         Shape::Sphere { center, radius } => {
-            let center = eye_from_local.transform_point3(center);
             let projected = match similarity_scale(eye_from_local) {
-                Some(scale) => lens.sphere_radius(center, radius * scale),
-                None => lens.ellipse_radius(center, &[Vec3::X, Vec3::Y, Vec3::Z].map(|unit| axis(unit, radius))),
+                Some(scale) => lens.sphere_radius(eye_from_local.transform_point3(center), radius * scale),
+                None => ellipsoid(center, Vec3::splat(radius)),
             };
-            sphere_segments(projected, tolerance)
+            both(sphere_segments(projected, tolerance))
         }
+        Shape::Ellipsoid { radii } => both(sphere_segments(ellipsoid(Vec3::ZERO, radii), tolerance)),
         Shape::Cone { base, base_radius, apex, apex_radius } => {
-            let frame = Cone { base, base_radius, apex, apex_radius }.frame();
-            let end = |center: Vec3, radius: f64| {
-                let half_axes = [axis(frame.across, radius), axis(frame.beside, radius)];
-                lens.ellipse_radius(eye_from_local.transform_point3(center), &half_axes)
-            };
-            circle_segments(end(base, base_radius).max(end(apex, apex_radius)), tolerance)
+            let cone = Cone { base, base_radius, apex, apex_radius };
+            both(circle_segments(cone_radius(&cone, eye_from_local, lens), tolerance))
         }
-        _ => MIN_CIRCLE,
+        Shape::CappedCone { bottom_radius, top_radius, length } => {
+            let cone = super::cone_about_z(bottom_radius, top_radius, length);
+            both(circle_segments(cone_radius(&cone, eye_from_local, lens), tolerance))
+        }
+        // Flat faces are what they are.
+        Shape::Block { .. } | Shape::Prism { .. } => both(1),
+        Shape::Torus { ring_radius, tube_radius } => seen.torus(ring_radius, tube_radius),
+        Shape::Patches(ref net) => both(seen.patches(net)),
+        Shape::Curves(ref net) => seen.curves(net),
+        Shape::Teapot(part) => seen.teapot(super::teapot::parts(part)),
     }
+}
+
+/// The radius in pixels of the larger end.
+fn cone_radius(cone: &Cone, eye_from_local: &Affine3, lens: &Lens) -> f64 {
+    let frame = cone.frame();
+    let end = |center: Vec3, radius: f64| {
+        let half_axes = [frame.across, frame.beside].map(|axis| eye_from_local.transform_vector3(axis * radius));
+        lens.ellipse_radius(eye_from_local.transform_point3(center), &half_axes)
+    };
+    end(cone.base, cone.base_radius).max(end(cone.apex, cone.apex_radius))
 }
 
 /// Segments around a sphere of `radius` pixels that errs by at most `tolerance` pixels; even, [`MIN_SPHERE`] to [`MAX_SPHERE`].

@@ -6,21 +6,21 @@ use crate::model::{Detail, tessellate};
 use crate::scene::Mesh;
 
 /// Numbers 0..1 without a pattern that matters (xorshift64*).
-struct Random(u64);
+pub(super) struct Random(pub u64);
 
 impl Random {
-    fn next(&mut self) -> f64 {
+    pub fn next(&mut self) -> f64 {
         self.0 ^= self.0 >> 12;
         self.0 ^= self.0 << 25;
         self.0 ^= self.0 >> 27;
         (self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    fn between(&mut self, low: f64, high: f64) -> f64 {
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.next()
     }
 
-    fn direction(&mut self) -> Vec3 {
+    pub fn direction(&mut self) -> Vec3 {
         let v = Vec3::new(self.between(-1.0, 1.0), self.between(-1.0, 1.0), self.between(-1.0, 1.0));
         if v.length() < 1.0 { unit(v).unwrap_or(Vec3::X) } else { self.direction() }
     }
@@ -28,7 +28,7 @@ impl Random {
 
 const HITHER: f64 = 0.01;
 
-fn image(lens: &Lens, point: Vec3) -> Vec2 {
+pub(super) fn image(lens: &Lens, point: Vec3) -> Vec2 {
     point.truncate() * (lens.pixels_per_unit_tangent / point.z)
 }
 
@@ -91,14 +91,14 @@ fn ellipse_outline(lens: &Lens, center: Vec3, axes: [Vec3; 2], scale: f64) -> Ve
     points.collect()
 }
 
-struct Sample {
-    lens: Lens,
-    center: Vec3,
-    radius: f64,
+pub(super) struct Sample {
+    pub lens: Lens,
+    pub center: Vec3,
+    pub radius: f64,
 }
 
 /// A ball of 1 to 500 pixels that is wholly in view, under an opening of 20 to 100 degrees.
-fn ball_in_view(random: &mut Random) -> Sample {
+pub(super) fn ball_in_view(random: &mut Random) -> Sample {
     loop {
         let half_field = random.between(10.0, 50.0).to_radians();
         let lens = Lens {
@@ -142,7 +142,7 @@ fn spheres_keep_the_tolerance_and_waste_little() {
     for sample in 0..150 {
         let Sample { lens, center, radius } = ball_in_view(&mut random);
         let tolerance = [1.0, 0.25, 0.0625][sample % 3];
-        let n = segments(&Shape::Sphere { center, radius }, &Affine3::IDENTITY, &lens, tolerance);
+        let [n, _] = segments(&Shape::Sphere { center, radius }, &Affine3::IDENTITY, &lens, tolerance);
         // Tessellate a turned sphere: poles may point anywhere.
         let turn = Affine3::from_axis_angle(random.direction(), random.between(0.0, 6.0));
         mesh.clear();
@@ -182,7 +182,7 @@ fn cones_keep_the_tolerance_and_waste_little() {
         let thin = if sample % 2 == 0 { thick } else { 0.0 };
         let (base, apex) = (center - axis * radius * share, center + axis * radius * share);
         let shape = Shape::Cone { base, base_radius: thick, apex, apex_radius: thin };
-        let n = segments(&shape, &Affine3::IDENTITY, &lens, tolerance);
+        let [n, _] = segments(&shape, &Affine3::IDENTITY, &lens, tolerance);
         let frame = Cone { base, base_radius: thick, apex, apex_radius: thin }.frame();
         mesh.clear();
         tessellate(&shape, false, Detail::Segments(n), 0, &mut mesh);
@@ -230,7 +230,7 @@ fn stretched_shapes_keep_the_tolerance_too() {
         let map = turn(&mut random) * Affine3::from_scale(scale) * turn(&mut random);
         let eye_from_local = Affine3::from_translation(center) * map;
         let shape = if sample % 2 == 0 { sphere.clone() } else { tube.clone() };
-        let n = segments(&shape, &eye_from_local, &lens, 0.25);
+        let [n, _] = segments(&shape, &eye_from_local, &lens, 0.25);
         let outline = |n: u32, mesh: &mut Mesh| {
             mesh.clear();
             tessellate(&shape, false, Detail::Segments(n), 0, mesh);

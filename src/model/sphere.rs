@@ -1,4 +1,4 @@
-//! Spheres: columns and bands by number of segments, or SPD's six cube faces by resolution.
+//! Spheres and ellipsoids: columns and bands by number of segments, or SPD's six cube faces by resolution.
 //!
 //! Why two patterns: columns and bands have planar quads, half as many polygons as triangles would be, and an error
 //! with a closed form ([`super::segments`]). The cube pattern is the one whose triangle counts SPD files are known by.
@@ -10,24 +10,42 @@ use super::turn::turn;
 use super::{Detail, Sheet};
 use crate::math::{PI, Vec3, tan, unit};
 
-/// Adds the sphere; `radius` is positive and finite.
-pub(super) fn tessellate(center: Vec3, radius: f64, detail: Detail, sheet: &mut Sheet<'_>) {
+/// Adds the sphere; nothing where the radius is not above 0.
+pub(super) fn sphere(center: Vec3, radius: f64, detail: Detail, sheet: &mut Sheet<'_>) {
     if !(center.is_finite() && radius.is_finite() && radius > 0.0) {
         return;
     }
     match detail {
-        Detail::Segments(n) => {
-            let n = n.clamp(MIN_SPHERE, MAX_SPHERE).next_multiple_of(2);
-            columns_and_bands(center, radius, n, sheet);
+        Detail::Segments(n) | Detail::Grid([n, _]) => {
+            columns_and_bands(n, sheet, |direction| (center + radius * direction, direction));
         }
         Detail::Resolution(n) => cube_faces(center, radius, n.clamp(1, Detail::MAX_RESOLUTION), sheet),
     }
 }
 
+/// Adds the ellipsoid about the origin; nothing where one of its half axes is not above 0.
+pub(super) fn ellipsoid(radii: Vec3, detail: Detail, sheet: &mut Sheet<'_>) {
+    let smallest = radii.min_element();
+    if !radii.is_finite() || smallest <= 0.0 {
+        return;
+    }
+    // Points scale by the half axes, normals by their inverse; relative to the smallest they cannot overflow.
+    let inverse = Vec3::splat(smallest) / radii;
+    columns_and_bands(detail.pair()[0], sheet, |direction| {
+        (direction * radii, unit(direction * inverse).unwrap_or(direction))
+    });
+}
+
 /// `n` columns around the z axis times `n / 2` bands: quads, and triangles at the two poles.
-fn columns_and_bands(center: Vec3, radius: f64, n: u32, sheet: &mut Sheet<'_>) {
+///
+/// `place` says where a direction's vertex stands and what its normal is. The quads stay planar under any affine map.
+fn columns_and_bands(n: u32, sheet: &mut Sheet<'_>, place: impl Fn(Vec3) -> (Vec3, Vec3)) {
+    let n = n.clamp(MIN_SPHERE, MAX_SPHERE).next_multiple_of(2);
     let bands = n / 2;
-    let mut vertex = |direction: Vec3| sheet.vertex(center + radius * direction, direction);
+    let mut vertex = |direction: Vec3| {
+        let (position, normal) = place(direction);
+        sheet.vertex(position, normal)
+    };
 
     // Push the poles, then column by column the vertices between them, from north to south.
     let north = vertex(Vec3::Z);

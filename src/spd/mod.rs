@@ -25,7 +25,6 @@ mod sample;
 mod shells;
 mod sombrero;
 mod teapot;
-mod teapot_shape;
 mod tessellate;
 mod tetra;
 mod text;

@@ -5,13 +5,13 @@
 //! `size` squares a side on the board and 2 * size^2 triangles a patch; those that have no area are dropped.
 //!
 //! Source: SPD 3.14; M. Newell, "The Utilization of Procedure Models in Digital Image Synthesis", doctoral thesis,
-//! University of Utah, 1975. Control points: `teapot_shape`.
+//! University of Utah, 1975. Control points: `crate::model`'s `newell`.
 
 use super::nff::{Nff, SKY, View};
-use super::teapot_shape::{Grid, grids};
 use super::tessellate::Patch;
 use super::{Counts, SpdScene};
 use crate::math::{Vec3, unit};
+use crate::model::newell::{Grid, grids};
 use std::io;
 
 pub(super) const SCENE: SpdScene = SpdScene {
