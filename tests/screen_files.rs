@@ -22,7 +22,7 @@ fn tiny() -> DrawList {
     let mut list = DrawList::new(8, 6);
     let (ambient, diffuse, opacity) = (Rgb::gray(0.125), Rgb::gray(0.5), Rgb::gray(1.0));
     let place = Place { file: 0, line: 3 };
-    list.shader.surfaces.push(SurfaceShading { ambient, diffuse, specular: 0.0, shine: 0.0, opacity, place });
+    list.shader.surfaces.push(SurfaceShading { ambient, diffuse, opacity, place, ..SurfaceShading::default() });
     for ((x, y, w), color) in [(1.5, 1.5, 2.0), (5.5, 1.5, 2.0), (1.5, 5.5, 4.0)].into_iter().zip(Vec3::AXES) {
         let homogeneous = Vec3::new(x, y, 1.0) * w;
         list.vertices.push(ScreenVertex { x, y, homogeneous, edge: EdgeKind::Original });

@@ -29,6 +29,23 @@ impl PlanCommand {
     }
 }
 
+/// Levels of light, and the reflection models where there are others than NFF's.
+fn light_line(plan: &Plan) -> String {
+    let survey = &plan.survey;
+    let chosen = survey.lights - survey.own_intensities;
+    let mut text =
+        format!("light      ambient {:.3}, each of {chosen} lights {:.3}", plan.ambient, plan.light_intensity);
+    let (phong, basic) = (survey.phong_surfaces, survey.basic_surfaces);
+    for (count, what) in
+        [(survey.own_intensities, "lights with their own"), (phong, "surfaces of phong"), (basic, "surfaces of basic")]
+    {
+        if count > 0 {
+            text += &format!(", {count} {what}");
+        }
+    }
+    text + "\n"
+}
+
 /// The plan as a table.
 pub(super) fn text(plan: &Plan) -> String {
     let (width, height) = plan.view.pixels;
@@ -39,10 +56,7 @@ pub(super) fn text(plan: &Plan) -> String {
         choices.shading.name(),
         choices.subpixel_bits
     );
-    text += &format!(
-        "light      ambient {:.3}, each of {} lights {:.3}\n",
-        plan.ambient, plan.survey.lights, plan.light_intensity
-    );
+    text += &light_line(plan);
     let rows = plan.explain();
     let width = |of: fn(&PlanRow) -> &str| rows.iter().map(|row| of(row).len()).max().unwrap_or(0);
     let (needs, decisions) = (width(|row| row.need).max(10), width(|row| &row.decision));

@@ -13,11 +13,11 @@ use super::clip::ClipVertex;
 use super::walk::EyeMesh;
 use super::{Corners, Facing, Part};
 use crate::color::Rgb;
-use crate::math::Vec3;
+use crate::math::{Vec3, cos, radians, unit};
 use crate::plan::{ClipLight, Interpolation, Plan, Shading};
-use crate::scene::{Light, Material, NormalSource, Place, Scene};
+use crate::scene::{Light, LightSource, Material, NormalSource, Place, Reflection, Scene};
 use crate::screen::Shader;
-use crate::screen::shader::{EyeLight, SurfaceShading};
+use crate::screen::shader::{EyeLight, EyeSource, Spot, SurfaceShading};
 
 /// The choices that lighting depends on.
 pub(super) struct Lighting {
@@ -70,11 +70,7 @@ impl Lighting {
         if !self.needed {
             return;
         }
-        let to_eye = |light: &Light| EyeLight {
-            position: plan.view.to_eye(light.source.position()),
-            color: light.color * light.intensity.unwrap_or(plan.light_intensity),
-        };
-        shader.lights.extend(scene.lights.iter().map(to_eye));
+        shader.lights.extend(scene.lights.iter().map(|light| eye_light(light, plan)));
     }
 
     /// Adds a surface to the shader, its colors decoded and multiplied, and returns its index there.
@@ -83,9 +79,13 @@ impl Lighting {
         let terms = self.plan.terms;
         let on = |term: bool, value: f64| if term { value } else { 0.0 };
         let ambient = material.ambient.unwrap_or(self.ambient * material.diffuse);
+        // SIPP's `basic` has no diffuse coefficient.
+        let is_basic = matches!(material.reflection, Reflection::Basic { .. });
+        let diffuse = if is_basic { 1.0 } else { material.diffuse };
         shader.surfaces.push(SurfaceShading {
+            reflection: material.reflection,
             ambient: color * on(terms.ambient, ambient),
-            diffuse: color * on(terms.diffuse, material.diffuse),
+            diffuse: color * on(terms.diffuse, diffuse),
             specular: on(terms.specular && self.specular, material.specular),
             shine: material.shine,
             // Where nothing needs blending the target never keeps a list.
@@ -144,7 +144,7 @@ impl Lighting {
         for vertex in clipped {
             let eye = Vec3::new(vertex.position.x / kx, vertex.position.y / ky, vertex.position.z);
             let [x, y, z, ..] = vertex.attributes;
-            let normal = crate::math::unit(Vec3::new(x, y, z)).unwrap_or(Vec3::NEG_Z);
+            let normal = unit(Vec3::new(x, y, z)).unwrap_or(Vec3::NEG_Z);
             let color = self.light(shader, surface, eye, normal);
             write(vertex, color.to_array());
         }
@@ -168,6 +168,24 @@ impl Lighting {
         self.vertices_lit += 1;
         shader.light(surface, eye, normal)
     }
+}
+
+/// A light of the scene in eye space, its color times its own intensity or else the plan's.
+fn eye_light(light: &Light, plan: &Plan) -> EyeLight {
+    let view = &plan.view;
+    // A direction that is none points along the view: it lights what the eye sees.
+    let direction = |world: Vec3| unit(view.eye_from_world * world).unwrap_or(Vec3::Z);
+    let source = match light.source {
+        LightSource::Point { position } => EyeSource::Point { position: view.to_eye(position) },
+        LightSource::Directional { to_light } => EyeSource::Directional { to_light: direction(to_light) },
+        LightSource::Spot { position, at, opening, edge } => EyeSource::Spot(Spot {
+            position: view.to_eye(position),
+            axis: direction(at - position),
+            cosine: cos(radians(opening) / 2.0),
+            edge,
+        }),
+    };
+    EyeLight { source, color: light.color * light.intensity.unwrap_or(plan.light_intensity) }
 }
 
 /// What varies at a vertex: the first three of its attributes.

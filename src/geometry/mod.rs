@@ -210,8 +210,8 @@ impl<'a> Geometry<'a> {
             trace.eye.push(EyePolygon { source, corners: corners.eye.clone(), facing });
         }
         let two_sided = match self.plan.choices.culling {
-            Culling::Back => false,
-            Culling::Nff => !part.surface.material.is_opaque(),
+            Culling::Back => part.surface.two_sided,
+            Culling::Nff => part.surface.two_sided || !part.surface.material.is_opaque(),
             Culling::None => true,
         };
         match facing {

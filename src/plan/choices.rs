@@ -140,9 +140,9 @@ named_choice! {
 named_choice! {
     /// Which faces are dropped before anything else is computed.
     Culling {
-        /// All back faces.
+        /// All back faces, except of surfaces that the scene calls two-sided.
         Back = "back",
-        /// Back faces, except of transparent surfaces, which NFF calls two-sided.
+        /// As `back`, and transparent surfaces, which NFF calls two-sided, keep theirs, too.
         Nff = "nff",
         /// None: surfaces are two-sided, back faces are lit from the viewer's side.
         None = "none",

@@ -1,6 +1,6 @@
 //! The plan in words: each need, what it is, why, and what leaving it out saves.
 
-use super::{ClipPlane, NeedsMode, Plan, Shading, Split};
+use super::{ClipPlane, Culling, NeedsMode, Plan, Shading, Split};
 
 /// One row of `farop plan`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -22,6 +22,7 @@ impl Plan {
         let mut rows = vec![self.clip_row(), self.light_row(), self.specular_row(), self.blending_row()];
         rows.push(self.depth_row());
         rows.push(self.split_row());
+        rows.extend(self.faces_row());
         if self.survey.shapes > 0 {
             rows.push(self.shapes_row());
         }
@@ -114,6 +115,17 @@ impl Plan {
             format!("{} polygons stay whole", self.survey.polygons - many)
         };
         row("split", decision, reason, saving)
+    }
+
+    /// Only where the scene says something about it.
+    fn faces_row(&self) -> Option<PlanRow> {
+        let (two_sided, surfaces) = (self.survey.two_sided_surfaces, self.survey.surfaces);
+        let reason = format!("{two_sided} of {surfaces} surfaces are two-sided and keep their back faces");
+        let decision = match self.choices.culling {
+            Culling::None => "all".to_string(),
+            culling => format!("{}, or both", culling.name()),
+        };
+        (two_sided > 0).then(|| row("culling", decision, reason, String::new()))
     }
 
     fn shapes_row(&self) -> PlanRow {

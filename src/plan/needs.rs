@@ -6,7 +6,7 @@
 use super::{Accepts, Choices, PlanError, Shading, View};
 use crate::math::{Affine3, Vec3};
 use crate::model::bounding_ball;
-use crate::scene::{Mesh, Scene, Shape};
+use crate::scene::{Mesh, Reflection, Scene, Shape, Surface};
 
 /// The planes of the view volume, in the order of clipping.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -142,6 +142,12 @@ pub struct Survey {
     pub shiny_surfaces: usize,
     /// Placed surfaces that are not opaque.
     pub transparent_surfaces: usize,
+    /// Placed surfaces that keep their back faces, whatever the culling.
+    pub two_sided_surfaces: usize,
+    /// Placed surfaces of SIPP's `phong`.
+    pub phong_surfaces: usize,
+    /// Placed surfaces of SIPP's `basic`.
+    pub basic_surfaces: usize,
     /// Placed surfaces.
     pub surfaces: usize,
     /// Placed objects.
@@ -160,6 +166,8 @@ pub struct Survey {
     pub shapes_outside: usize,
     /// Lights.
     pub lights: usize,
+    /// Lights with an intensity of their own.
+    pub own_intensities: usize,
 }
 
 impl Survey {
@@ -168,14 +176,13 @@ impl Survey {
     /// # Errors
     /// [`PlanError::TooManyInstances`] for runaway instancing.
     pub fn new(scene: &Scene, view: &View) -> Result<Survey, PlanError> {
-        let mut survey = Survey { lights: scene.lights.len(), ..Survey::default() };
+        let own_intensities = scene.lights.iter().filter(|light| light.intensity.is_some()).count();
+        let mut survey = Survey { lights: scene.lights.len(), own_intensities, ..Survey::default() };
         scene.walk(|placed| {
             survey.objects += 1;
             for &id in &placed.object.surfaces {
                 let surface = scene.surface(id);
-                survey.surfaces += 1;
-                survey.shiny_surfaces += usize::from(surface.material.specular > 0.0);
-                survey.transparent_surfaces += usize::from(!surface.material.is_opaque());
+                survey.count_surface(surface);
                 survey.count_mesh(&surface.mesh, surface.material.specular > 0.0);
                 survey.look_at_box(&surface.mesh, &placed.world_from_local, view);
                 for primitive in &surface.primitives {
@@ -187,6 +194,16 @@ impl Survey {
             survey.crossed &= !ClipPlane::Yon.bit();
         }
         Ok(survey)
+    }
+
+    fn count_surface(&mut self, surface: &Surface) {
+        let material = &surface.material;
+        self.surfaces += 1;
+        self.shiny_surfaces += usize::from(material.specular > 0.0);
+        self.transparent_surfaces += usize::from(!material.is_opaque());
+        self.two_sided_surfaces += usize::from(surface.two_sided);
+        self.phong_surfaces += usize::from(material.reflection == Reflection::Phong);
+        self.basic_surfaces += usize::from(matches!(material.reflection, Reflection::Basic { .. }));
     }
 
     fn count_mesh(&mut self, mesh: &Mesh, shiny: bool) {

@@ -28,7 +28,7 @@ pub struct Material {
     pub color: Rgb,
     /// Coefficient of ambient light. `None` (NFF has none): the renderer's ambient light, reflected as `diffuse` says.
     pub ambient: Option<f64>,
-    /// Coefficient of diffuse light, NFF's Kd.
+    /// Coefficient of diffuse light, NFF's Kd. Unused by `Basic`, whose is 1.
     pub diffuse: f64,
     /// Coefficient of the highlight, NFF's Ks.
     pub specular: f64,

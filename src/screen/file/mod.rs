@@ -19,6 +19,7 @@ mod fit;
 mod header;
 mod number;
 mod records;
+mod shading;
 mod v2;
 mod words;
 

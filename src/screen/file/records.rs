@@ -1,13 +1,13 @@
-//! The body of a v2 file: lights, surfaces, and polygons with their planes and vertices; written and read side by side.
+//! The body of a v2 file: lights and surfaces ([`super::shading`]), then polygons with their planes and vertices; written and read
+//! side by side.
 
 use super::ScreenFileError;
 use super::header::{Header, RecordCounts, color, color_text, name_of, varying_names};
 use super::number::Number;
+use super::shading::{read_light, read_surface};
 use super::words::Words;
 use crate::color::Rgb;
 use crate::math::Vec3;
-use crate::scene::Place;
-use crate::screen::shader::{EyeLight, SurfaceShading};
 use crate::screen::{DrawList, EdgeKind, Evaluation, Plane, PolygonRecord, ScreenPolygon, ScreenVertex, Source};
 use std::io::{self, Write};
 
@@ -20,48 +20,11 @@ const EVALUATIONS: [(Evaluation, &str); 4] = [
     (Evaluation::Double, "double"),
 ];
 const ORIGINS: [(bool, &str); 2] = [(false, "polygon"), (true, "tessellated")];
-const WHOLE: std::ops::RangeInclusive<u64> = 0..=u32::MAX as u64;
+pub(super) const WHOLE: std::ops::RangeInclusive<u64> = 0..=u32::MAX as u64;
 
 /// Writes numbers, each behind a blank.
-fn numbers(out: &mut dyn Write, numbers: &[f64]) -> io::Result<()> {
+pub(super) fn numbers(out: &mut dyn Write, numbers: &[f64]) -> io::Result<()> {
     numbers.iter().try_for_each(|&number| write!(out, " {}", Number(number)))
-}
-
-pub(super) fn write_light(light: &EyeLight, out: &mut dyn Write) -> io::Result<()> {
-    write!(out, "light")?;
-    numbers(out, &light.position.to_array())?;
-    numbers(out, &light.color.to_array())?;
-    writeln!(out)
-}
-
-fn read_light(words: &mut Words<'_>) -> Result<EyeLight, ScreenFileError> {
-    words.record("light")?;
-    let position = vector(words, ["x of the light", "y of the light", "z of the light"])?;
-    let color = vector(words, ["red of the light", "green of the light", "blue of the light"])?;
-    words.end_of_record()?;
-    Ok(EyeLight { position, color: Rgb::from(color.to_array()) })
-}
-
-pub(super) fn write_surface(index: usize, surface: &SurfaceShading, out: &mut dyn Write) -> io::Result<()> {
-    write!(out, "surface {index}")?;
-    numbers(out, &surface.ambient.to_array())?;
-    numbers(out, &surface.diffuse.to_array())?;
-    numbers(out, &[surface.specular, surface.shine])?;
-    writeln!(out, " {} {} {}", color_text(surface.opacity), surface.place.file, surface.place.line)
-}
-
-fn read_surface(words: &mut Words<'_>, index: usize) -> Result<SurfaceShading, ScreenFileError> {
-    words.record("surface")?;
-    words.whole("the number of the surface", index as u64..=index as u64)?;
-    let ambient = vector(words, ["ambient red", "ambient green", "ambient blue"])?;
-    let diffuse = vector(words, ["diffuse red", "diffuse green", "diffuse blue"])?;
-    let (specular, shine) = (words.number("Ks")?, words.number("the cosine power")?);
-    let opacity = color(words, "opacity")?;
-    let file = words.whole("the number of the scene file", 0..=u64::from(u16::MAX))? as u16;
-    let line = words.whole("the line in the scene file", WHOLE)? as u32;
-    words.end_of_record()?;
-    let (ambient, diffuse) = (Rgb::from(ambient.to_array()), Rgb::from(diffuse.to_array()));
-    Ok(SurfaceShading { ambient, diffuse, specular, shine, opacity, place: Place { file, line } })
 }
 
 /// Writes a polygon, its planes and its vertices; with `extra_color`, the lit color behind normal and eye point.
@@ -245,7 +208,7 @@ fn on_grid(words: &mut Words<'_>, (name, side): (&str, u32), list: &DrawList) ->
     Ok(value)
 }
 
-fn vector(words: &mut Words<'_>, names: [&str; 3]) -> Result<Vec3, ScreenFileError> {
+pub(super) fn vector(words: &mut Words<'_>, names: [&str; 3]) -> Result<Vec3, ScreenFileError> {
     let mut number = |name: &str| words.number(name);
     Ok(Vec3::new(number(names[0])?, number(names[1])?, number(names[2])?))
 }

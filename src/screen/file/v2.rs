@@ -10,6 +10,7 @@
 
 use super::header::{self, Header};
 use super::records;
+use super::shading;
 use super::words::{Layout, Words};
 use super::{Kind, ReadOptions, ScreenFile, ScreenFileError, ScreenWriteError, Sheet};
 use crate::plan::Varying;
@@ -72,10 +73,10 @@ pub fn write_v2(
     let mut out = BufWriter::new(out);
     header::write(list, sheet, attributes, &mut out)?;
     for light in &list.shader.lights {
-        records::write_light(light, &mut out)?;
+        shading::write_light(light, &mut out)?;
     }
     for (index, surface) in list.shader.surfaces.iter().enumerate() {
-        records::write_surface(index, surface, &mut out)?;
+        shading::write_surface(index, surface, &mut out)?;
     }
     for polygon in list.polygons() {
         records::write_polygon(list, &polygon, attributes.adds_color(list), &mut out)?;

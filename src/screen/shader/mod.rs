@@ -1,24 +1,30 @@
-//! The one reflection model: what light a point of a surface sends to the eye.
+//! The shader: what light a point of a surface sends to the eye.
+//!
+//! lights -> ARRIVING light -> REFLECTION -> color
 //!
 //! Used by the geometry stage at vertices (flat, Gouraud) and by every rasterizer at samples (Phong), so that both
-//! mean the same by "light".
-//!
-//! color = Ka Ia C + Kd C sum(Ii max(0, N.L)) + Ks sum(Ii max(0, R.V)^n), highlights only where N.L > 0.
+//! mean the same by "light". `lights` knows what arrives at a point, `reflection` what leaves it, and has the formulas of the
+//! three models; this file goes from light to light. `docs/shading.md` explains all of it with pictures.
 //!
 //! Space: eye space; the eye is the origin. Colors are linear light.
-//! Source: Phong, "Illumination for Computer Generated Pictures", CACM 18(6), 1975, 311-317; coefficients as in NFF.
-//! Cost: per light one square root, and one power where Ks > 0.
+//! Source: Phong, "Illumination for Computer Generated Pictures", CACM 18(6), 1975, 311-317; coefficients as in NFF and SIPP.
+//! Cost: per light one square root, and one power or division where Ks > 0.
+
+mod lights;
+mod reflection;
+
+pub use lights::{EyeLight, EyeSource, Spot};
+pub use reflection::SurfaceShading;
 
 use super::{Fragment, ScreenPolygon};
 use crate::color::Rgb;
-use crate::math::{Vec3, pow, unit};
-use crate::scene::Place;
+use crate::math::{Vec3, unit};
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Turns interpolated values into color: the lights and surfaces of one picture, in eye space.
 #[derive(Debug, Default)]
 pub struct Shader {
-    /// Point lights.
+    /// In the order of the scene.
     pub lights: Vec<EyeLight>,
     /// One entry a placed surface.
     pub surfaces: Vec<SurfaceShading>,
@@ -26,41 +32,14 @@ pub struct Shader {
     pub specular_everywhere: bool,
     /// Color of lines, which have no light.
     pub line_color: Rgb<f32>,
-    /// How many cosine powers were computed: the plan's "not needed" is checked against it.
+    /// How many cosine powers (for `basic`: quotients in their place) were computed: the plan's "not needed" is checked against it.
     powers: AtomicU64,
-}
-
-/// A point light in eye space.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct EyeLight {
-    /// Eye space.
-    pub position: Vec3,
-    /// Light color times intensity.
-    pub color: Rgb,
-}
-
-/// A material made ready: colors decoded and multiplied by their coefficients.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SurfaceShading {
-    /// Ka Ia C.
-    pub ambient: Rgb,
-    /// Kd C.
-    pub diffuse: Rgb,
-    /// Ks.
-    pub specular: f64,
-    /// Cosine power.
-    pub shine: f64,
-    /// Per channel.
-    pub opacity: Rgb<f32>,
-    /// Where the surface was declared.
-    pub place: Place,
 }
 
 impl Shader {
     /// Light that the point `eye` of a surface with unit normal `normal` sends to the eye, which stands at the origin.
     ///
-    /// Not clamped: a value above 1 is brighter than the display and is cut once, when the picture is written.
-    /// A light exactly at the point has no direction and adds nothing.
+    /// NFF's model is not clamped: a value above 1 is brighter than the display and is cut once, when the picture is written.
     #[must_use]
     pub fn light(&self, surface: u32, eye: Vec3, normal: Vec3) -> Rgb {
         let surface = &self.surfaces[surface as usize];
@@ -68,29 +47,30 @@ impl Shader {
         let has_highlight = surface.specular > 0.0 || self.specular_everywhere;
         let (mut diffuse, mut specular) = (Rgb::BLACK, Rgb::BLACK);
         for light in &self.lights {
-            let Some(to_light) = unit(light.position - eye) else { continue };
+            let Some((to_light, color)) = light.arriving(eye) else { continue };
             let cosine = normal.dot(to_light);
-            if cosine <= 0.0 {
+            if cosine <= 0.0 && surface.is_nff() {
                 continue;
             }
-            diffuse += light.color * cosine;
+            diffuse += color * cosine.max(0.0);
             if has_highlight {
-                specular += light.color * self.highlight(normal, to_light, view, surface.shine);
+                let mirrored = normal * (2.0 * cosine) - to_light;
+                specular += color * self.highlight(surface, mirrored.dot(view));
             }
         }
-        surface.ambient + surface.diffuse * diffuse + specular * surface.specular
+        surface.sent(diffuse, specular)
     }
 
-    /// max(0, R.V)^n, where R is the light's direction mirrored at the normal.
-    fn highlight(&self, normal: Vec3, to_light: Vec3, view: Vec3, shine: f64) -> f64 {
-        let mirrored = normal * (2.0 * normal.dot(to_light)) - to_light;
-        // Rounding may give a cosine just above 1; a large power would make light out of it.
-        let cosine = mirrored.dot(view).clamp(0.0, 1.0);
-        if cosine == 0.0 && shine > 0.0 {
+    /// The highlight of `surface` where the mirrored light and the eye are `cosine` apart; none where it is not above 0.
+    fn highlight(&self, surface: &SurfaceShading, cosine: f64) -> f64 {
+        // NFF's power 0 is 1 everywhere.
+        let is_everywhere = surface.is_nff() && surface.shine <= 0.0;
+        if cosine <= 0.0 && !is_everywhere {
             return 0.0;
         }
         self.powers.fetch_add(1, Ordering::Relaxed);
-        pow(cosine, shine)
+        // Rounding may give a cosine just above 1; a large power would make light out of it.
+        surface.highlight(cosine.clamp(0.0, 1.0))
     }
 
     /// The fragment of `polygon` at sample (x, y): depth, color and opacity by the contract's definition.
@@ -120,7 +100,7 @@ impl Shader {
         self.surfaces.get(polygon.surface() as usize).map_or(Rgb::gray(1.0), |surface| surface.opacity)
     }
 
-    /// Cosine powers computed so far.
+    /// Highlights computed so far: cosine powers, or the quotients of `basic`.
     #[must_use]
     pub fn powers(&self) -> u64 {
         self.powers.load(Ordering::Relaxed)
@@ -128,9 +108,7 @@ impl Shader {
 
     /// Adds an opaque surface that no light reaches, and returns its index.
     pub fn push_unlit_surface(&mut self) -> u32 {
-        let (specular, shine) = (0.0, 0.0);
-        let (ambient, diffuse, opacity) = (Rgb::BLACK, Rgb::BLACK, Rgb::gray(1.0));
-        self.surfaces.push(SurfaceShading { ambient, diffuse, specular, shine, opacity, place: Place::default() });
+        self.surfaces.push(SurfaceShading { opacity: Rgb::gray(1.0), ..SurfaceShading::default() });
         (self.surfaces.len() - 1) as u32
     }
 }
@@ -159,11 +137,10 @@ mod tests {
     use super::*;
 
     fn shader(specular: f64, shine: f64) -> Shader {
-        let opacity = Rgb::gray(1.0);
         let (ambient, diffuse) = (Rgb::gray(0.125), Rgb::new(0.5, 0.25, 0.0));
-        let surface = SurfaceShading { ambient, diffuse, specular, shine, opacity, place: Place::default() };
-        let light = EyeLight { position: Vec3::ZERO, color: Rgb::WHITE };
-        Shader { lights: vec![light], surfaces: vec![surface], ..Shader::default() }
+        let surface =
+            SurfaceShading { ambient, diffuse, specular, shine, opacity: Rgb::gray(1.0), ..SurfaceShading::default() };
+        Shader { lights: vec![EyeLight::point(Vec3::ZERO, Rgb::WHITE)], surfaces: vec![surface], ..Shader::default() }
     }
 
     #[test]
@@ -191,7 +168,7 @@ mod tests {
     fn a_light_at_the_point_or_behind_it_leaves_the_ambient() {
         let mut shader = shader(1.0, 0.0);
         assert_eq!(shader.light(0, Vec3::new(0.0, 0.0, 4.0), Vec3::Z), Rgb::gray(0.125));
-        shader.lights[0].position = Vec3::new(0.0, 0.0, 4.0);
+        shader.lights[0] = EyeLight::point(Vec3::new(0.0, 0.0, 4.0), Rgb::WHITE);
         assert_eq!(shader.light(0, Vec3::new(0.0, 0.0, 4.0), Vec3::NEG_Z), Rgb::gray(0.125));
     }
 }

@@ -1,0 +1,137 @@
+//! Lights in eye space: from which direction, and how much of it, light arrives at a point.
+//!
+//! No light fades with distance: SIPP's and NFF's rule. What a spot adds is its cone.
+//!
+//! Space: eye space. Directions are unit and lead *towards* the light, so that N.L needs no sign.
+//! Source: J. Yngvesson and I. Wallin, "SIPP User's Guide" and the light evaluation of SIPP 3.3.
+//! Cost: one square root for a point light, none for a directional one; a soft spot adds one cosine.
+
+use crate::color::Rgb;
+use crate::math::{PI, Vec3, cos, unit};
+use crate::scene::SpotEdge;
+
+/// A light in eye space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EyeLight {
+    /// Where its light comes from.
+    pub source: EyeSource,
+    /// Light color times intensity.
+    pub color: Rgb,
+}
+
+/// Where light comes from, in eye space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum EyeSource {
+    /// From a point in all directions.
+    Point {
+        /// Eye space.
+        position: Vec3,
+    },
+    /// From infinitely far away.
+    Directional {
+        /// Unit, towards the light.
+        to_light: Vec3,
+    },
+    /// From a point into a cone.
+    Spot(Spot),
+}
+
+/// A spot light made ready.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spot {
+    /// Eye space.
+    pub position: Vec3,
+    /// Unit, along the middle of the cone, away from the light.
+    pub axis: Vec3,
+    /// Cosine of half the opening.
+    pub cosine: f64,
+    /// How its light ends at the cone.
+    pub edge: SpotEdge,
+}
+
+impl EyeLight {
+    /// A point light.
+    #[must_use]
+    pub fn point(position: Vec3, color: Rgb) -> EyeLight {
+        EyeLight { source: EyeSource::Point { position }, color }
+    }
+
+    /// The unit direction towards the light and the color that arrives at the point `eye`; `None` where nothing does.
+    ///
+    /// A light exactly at the point has no direction and adds nothing.
+    #[must_use]
+    pub fn arriving(&self, eye: Vec3) -> Option<(Vec3, Rgb)> {
+        match self.source {
+            EyeSource::Point { position } => Some((unit(position - eye)?, self.color)),
+            EyeSource::Directional { to_light } => Some((to_light, self.color)),
+            EyeSource::Spot(spot) => {
+                let to_light = unit(spot.position - eye)?;
+                let share = spot.share(to_light);
+                (share > 0.0).then(|| (to_light, self.color * share))
+            }
+        }
+    }
+}
+
+impl Spot {
+    /// How much of its light, 0 to 1, goes the way back along `to_light`.
+    ///
+    /// Sharp: all inside the cone. Soft: half a cosine wave from the axis (1) to the cone (0). The wave runs over the cosine d of the
+    /// angle to the axis, not over the angle: half the light is left at d = (1 + c)/2.
+    fn share(&self, to_light: Vec3) -> f64 {
+        // Rounding may give a cosine just above 1.
+        let cosine = self.axis.dot(-to_light).min(1.0);
+        if cosine < self.cosine {
+            return 0.0;
+        }
+        match self.edge {
+            SpotEdge::Sharp => 1.0,
+            SpotEdge::Soft => 0.5 + 0.5 * cos(PI * (1.0 - cosine) / (1.0 - self.cosine)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::{radians, sin};
+
+    /// A spot at the origin that shines along the view, and the light at `degrees` off its axis.
+    fn light_at(opening: f64, edge: SpotEdge, degrees: f64) -> f64 {
+        let cosine = cos(radians(opening) / 2.0);
+        let spot = Spot { position: Vec3::ZERO, axis: Vec3::Z, cosine, edge };
+        let light = EyeLight { source: EyeSource::Spot(spot), color: Rgb::WHITE };
+        let angle = radians(degrees);
+        light.arriving(Vec3::new(sin(angle), 0.0, cos(angle)) * 7.0).map_or(0.0, |(_, color)| color.g)
+    }
+
+    #[test]
+    fn a_sharp_spot_is_all_or_nothing() {
+        for (degrees, expected) in [(0.0, 1.0), (14.9, 1.0), (15.1, 0.0), (90.0, 0.0), (180.0, 0.0)] {
+            assert_eq!(light_at(30.0, SpotEdge::Sharp, degrees), expected, "{degrees}");
+        }
+        assert_eq!(light_at(170.0, SpotEdge::Sharp, 84.9), 1.0);
+    }
+
+    #[test]
+    fn a_soft_spot_fades_from_one_to_nothing() {
+        assert_eq!(light_at(40.0, SpotEdge::Soft, 0.0), 1.0);
+        assert_eq!(light_at(40.0, SpotEdge::Soft, 20.01), 0.0);
+        assert!(light_at(40.0, SpotEdge::Soft, 19.99) < 1e-5);
+        // Halfway between the axis and the cone, measured along the axis.
+        let halfway = crate::math::acos((1.0 + cos(radians(20.0))) / 2.0).to_degrees();
+        assert!((light_at(40.0, SpotEdge::Soft, halfway) - 0.5).abs() < 1e-12);
+        let samples: Vec<f64> = (0..=20).map(|degrees| light_at(40.0, SpotEdge::Soft, f64::from(degrees))).collect();
+        assert!(samples.windows(2).all(|pair| pair[0] > pair[1]), "{samples:?}");
+    }
+
+    #[test]
+    fn a_directional_light_is_the_same_everywhere() {
+        let light = EyeLight { source: EyeSource::Directional { to_light: Vec3::Y }, color: Rgb::gray(0.5) };
+        for eye in [Vec3::ZERO, Vec3::splat(1e9), Vec3::NEG_Y] {
+            assert_eq!(light.arriving(eye), Some((Vec3::Y, Rgb::gray(0.5))));
+        }
+        let point = EyeLight::point(Vec3::Y, Rgb::WHITE);
+        assert_eq!(point.arriving(Vec3::Y), None);
+    }
+}

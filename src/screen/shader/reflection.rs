@@ -1,0 +1,71 @@
+//! What a surface sends back: a material made ready, and the formulas of its reflection model.
+//!
+//! With L towards a light, N the normal, V towards the eye, R = 2 (N.L) N - L, I the light that arrives, all sums over the lights:
+//!
+//! ```text
+//! nff     C (Ka Ia + Kd sum I max(0, N.L)) + Ks sum I max(0, R.V)^n          highlights only where N.L > 0; no clamping
+//! phong   C (a + Kd D) + Ks min(1, sum I q^n)                                D = min(1, sum I max(0, N.L)), q = R.V > 0
+//! basic   C (a + D)    + Ks min(1, sum I c^2 q / (q^2 (c^2 - 1) + 1))        c = c3: 0 shiny, 1 dull
+//! ```
+//!
+//! The sums and the results of `phong` and `basic` are cut at 1, channel by channel. 1 is the light of display white: numbers here are
+//! light, so with `--encoding srgb` a sum reaches 1 where the *light* adds up to white; with `--encoding linear` display values
+//! themselves are added and cut, which is SIPP's own arithmetic. A highlight of theirs may appear on the night side of a surface,
+//! where N.L < 0 and R still points to the eye; SIPP never asked.
+//!
+//! Space: none; colors are linear light.
+//! Source: Phong, CACM 18(6), 1975; Yngvesson and Wallin, SIPP 3.3 (shaders `phong` and `basic`); the quotient with c3 is Trowbridge and
+//! Reitz's distribution of facets without its square, as in Blinn, "Models of Light Reflection for Computer Synthesized Pictures",
+//! SIGGRAPH 1977.
+
+use crate::color::Rgb;
+use crate::math::pow;
+use crate::scene::{Place, Reflection};
+
+/// A material made ready: colors decoded and multiplied by their coefficients.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SurfaceShading {
+    /// Which formula the numbers belong to.
+    pub reflection: Reflection,
+    /// Ka Ia C; for `phong` and `basic` a C.
+    pub ambient: Rgb,
+    /// Kd C.
+    pub diffuse: Rgb,
+    /// Ks.
+    pub specular: f64,
+    /// Cosine power; unused by `basic`.
+    pub shine: f64,
+    /// Per channel.
+    pub opacity: Rgb<f32>,
+    /// Where the surface was declared.
+    pub place: Place,
+}
+
+impl SurfaceShading {
+    /// Highlights appear only where the light is above the surface, and nothing is cut at 1.
+    pub(super) fn is_nff(&self) -> bool {
+        self.reflection == Reflection::Nff
+    }
+
+    /// How much light leaves where the cosine between the mirrored light and the eye is `cosine`, above 0, at most 1.
+    pub(super) fn highlight(&self, cosine: f64) -> f64 {
+        match self.reflection {
+            Reflection::Nff | Reflection::Phong => pow(cosine, self.shine),
+            Reflection::Basic { c3 } => {
+                // q^2 (c^2 - 1) + 1 as c^2 q^2 + (1 - q)(1 + q): exactly c^2 at q = 1, however small c is.
+                let squared = c3 * c3;
+                let numerator = squared * cosine;
+                numerator / (numerator * cosine + (1.0 - cosine) * (1.0 + cosine)).max(f64::MIN_POSITIVE)
+            }
+        }
+    }
+
+    /// The light that leaves, of the sums over the lights.
+    pub(super) fn sent(&self, diffuse: Rgb, specular: Rgb) -> Rgb {
+        if self.is_nff() {
+            return self.ambient + self.diffuse * diffuse + specular * self.specular;
+        }
+        let to_white = |light: Rgb| light.map(|channel| channel.min(1.0));
+        to_white(self.ambient + self.diffuse * to_white(diffuse) + to_white(specular) * self.specular)
+    }
+}
