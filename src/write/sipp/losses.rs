@@ -32,7 +32,7 @@ impl Losses {
                 "polygons with given normals, averaged where none is given instead of the polygon's own",
             ),
             counted(self.mixed_surfaces, "surfaces of polygons and shapes, taken apart: the polygons of each stay together"),
-            counted(self.names, "names of objects changed or made up, a name can stand for one object only"),
+            counted(self.names, "names of objects changed or made up: what stands in several places needs a name of its own"),
         ]
         .into_iter()
         .flatten()

@@ -7,6 +7,7 @@
 //! Cost: one look into a hash table for each object; the tables are never walked, so their order shows nowhere.
 
 use super::losses::Losses;
+use crate::diagnostic::printable;
 use crate::scene::{ObjectId, Scene, SurfaceId};
 use std::collections::{HashMap, HashSet};
 use std::io;
@@ -90,34 +91,36 @@ impl Sharing {
         self.bodies[body].places += 1;
     }
 
-    /// The first body of a name keeps it; the next are `name-2`, `name-3`. Shared bodies without a name are `part`.
+    /// Nested objects may share names, definitions may not: the first of a name keeps it, the next are `name-2`, `name-3`. Definitions
+    /// without a name are `part`.
     fn give_names(&mut self, scene: &Scene, losses: &mut Losses) {
+        let is_definition = |body: &&mut Body| body.places > 1;
+        let own = |body: &Body| scene.object(body.object).name.as_str();
+        for body in &mut self.bodies {
+            body.name = sayable(own(body));
+            losses.names += usize::from(body.name != own(body));
+        }
+        // Who has a name of its own keeps it before others get one made up.
         let mut taken: HashSet<String> = HashSet::new();
         let mut later = Vec::new();
-        for (index, body) in self.bodies.iter_mut().enumerate() {
-            let own = &scene.object(body.object).name;
-            let name = sayable(own);
-            if name.is_empty() && body.places <= 1 {
-                continue;
-            }
-            if name == *own && !name.is_empty() && taken.insert(name.clone()) {
-                body.name = quoted(&name);
-            } else {
-                later.push((index, if name.is_empty() { "part".to_string() } else { name }));
+        for body in self.bodies.iter_mut().filter(is_definition) {
+            if body.name.is_empty() || !taken.insert(body.name.clone()) {
+                later.push(body);
             }
         }
         losses.names += later.len();
         // Where the search for a free number goes on, by name.
-        let mut next: HashMap<String, usize> = HashMap::new();
-        for (index, name) in later {
-            let number = next.entry(name.clone()).or_insert(1);
-            let mut free = name.clone();
-            while !taken.insert(free.clone()) {
+        let mut numbers: HashMap<String, usize> = HashMap::new();
+        for body in later {
+            let name = if body.name.is_empty() { "part".to_string() } else { std::mem::take(&mut body.name) };
+            let number = numbers.entry(name.clone()).or_insert(1);
+            body.name.clone_from(&name);
+            while !taken.insert(body.name.clone()) {
                 *number += 1;
-                free = format!("{name}-{number}");
+                body.name = format!("{name}-{number}");
             }
-            self.bodies[index].name = quoted(&free);
         }
+        self.bodies.iter_mut().for_each(|body| body.name = quoted(&body.name));
     }
 }
 
@@ -162,14 +165,14 @@ fn bits(scene: &Scene, id: ObjectId) -> [u64; 12] {
     scene.object(id).parent_from_local.to_cols_array().map(|number| (number + 0.0).to_bits())
 }
 
-/// `name` without what cannot stand between quotes.
+/// `name` without what cannot stand between quotes, or would not be safe to print.
 fn sayable(name: &str) -> String {
-    name.chars().map(|letter| if letter.is_control() || matches!(letter, '"' | '#') { '_' } else { letter }).collect()
+    printable(name.as_bytes()).replace(['"', '#'], "_")
 }
 
 /// A name as written in the file: in quotes, unless it is made of plain letters.
 fn quoted(name: &str) -> String {
     let is_plain = |letter: char| letter.is_ascii_alphanumeric() || matches!(letter, '_' | '.' | '-');
     let starts_plain = name.starts_with(|letter: char| letter.is_ascii_alphabetic() || letter == '_');
-    if starts_plain && name.chars().all(is_plain) { name.to_string() } else { format!("\"{name}\"") }
+    if name.is_empty() || starts_plain && name.chars().all(is_plain) { name.to_string() } else { format!("\"{name}\"") }
 }
