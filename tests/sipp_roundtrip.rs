@@ -419,3 +419,23 @@ fn numbers_that_no_file_can_say_are_refused() {
     scene.objects[0].parent_from_local.translation.x = f64::NAN;
     assert_eq!(write_sipp(&scene, &mut Vec::new()).expect_err("refused").kind(), std::io::ErrorKind::InvalidData);
 }
+
+/// In the stack of a test thread, 2 MB. `examples/large_trees.rs` has the figures, and a million siblings.
+#[test]
+fn a_hundred_thousand_nested_objects_print_parse_and_drop() {
+    let count = 100_000;
+    let objects = (0..count).map(|i| object("", &[0], if i + 1 < count { &[1] } else { &[] }));
+    let mut objects: Vec<Object> = objects.collect();
+    objects.iter_mut().enumerate().for_each(|(i, object)| {
+        object.children.iter_mut().for_each(|child| *child = ObjectId(i as u32 + 1));
+    });
+    let scene =
+        Scene { objects, surfaces: vec![ball()], world: vec![ObjectId(0)], camera: camera(), ..Scene::default() };
+    let (text, _) = printed(&scene);
+    assert!(text.len() < 30_000_000, "{} bytes: indentation has an end", text.len());
+    let again = parsed(&text);
+    let mut placed = (0, 0.0);
+    again.walk(|instance| placed = (placed.0 + 1, instance.world_from_local.translation.x)).expect("within the budget");
+    assert_eq!(placed, (count, f64::from(count)));
+    assert!(printed(&again).0 == text);
+}
