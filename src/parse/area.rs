@@ -8,7 +8,7 @@
 //! Discrete & Computational Geometry 18, 1997; T. Dekker, Numerische Mathematik 18, 1971 (exact products).
 //! Cost: one cross product for a polygon that has area; about 300 additions a vertex for one that has none.
 
-use crate::math::Vec3;
+use crate::math::{Vec3, unit};
 
 /// Whether all vertices are on one line (or at one point): the polygon has no area.
 ///
@@ -18,6 +18,37 @@ pub fn is_collinear(outline: &[Vec3]) -> bool {
     let Some((&a, others)) = outline.split_first() else { return true };
     let Some(&b) = others.iter().find(|&&b| b != a) else { return true };
     others.iter().all(|&c| c == a || c == b || !surely_turns(a, b, c) && is_straight(a, b, c))
+}
+
+/// Twice the area of the triangle a, b, c in the plane, as a sign: above 0 where it turns left, 0 exactly where it is straight.
+#[must_use]
+pub fn turn_in_plane(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
+    let left = (b[0] - a[0]) * (c[1] - a[1]);
+    let right = (b[1] - a[1]) * (c[0] - a[0]);
+    let magnitude = left.abs() + right.abs();
+    if (left - right).abs() > 4.0 * f64::EPSILON * magnitude && magnitude > 1e-280 && magnitude.is_finite() {
+        return left - right;
+    }
+    let largest = [a, b, c].iter().flatten().fold(0.0, |largest: f64, x| largest.max(x.abs()));
+    if largest == 0.0 {
+        return 0.0;
+    }
+    let [a, b, c] = [a, b, c].map(|[x, y]| scale_below_two(Vec3::new(x, y, 0.0), largest));
+    let mut sum = ExactSum::default();
+    sum.add_product(difference(b.x, a.x), difference(c.y, a.y), 1.0);
+    sum.add_product(difference(b.y, a.y), difference(c.x, a.x), -1.0);
+    sum.largest_part()
+}
+
+/// `normal` with length 1, zero where it has no direction.
+///
+/// A few roundings away from 1 is as near as it gets: left alone, so that a written file reads back the same.
+#[must_use]
+pub fn unit_normal(normal: Vec3) -> Vec3 {
+    if (normal.length_squared() - 1.0).abs() <= 4.0 * f64::EPSILON {
+        return normal;
+    }
+    unit(normal).unwrap_or(Vec3::ZERO)
 }
 
 /// Floating point is certain that a, b, c are not on one line.
@@ -39,11 +70,8 @@ fn is_straight(a: Vec3, b: Vec3, c: Vec3) -> bool {
         let (u_i, v_j) = (difference(b[i], a[i]), difference(c[j], a[j]));
         let (u_j, v_i) = (difference(b[j], a[j]), difference(c[i], a[i]));
         let mut sum = ExactSum::default();
-        for (u, v, sign) in [(u_i, v_j, 1.0), (u_j, v_i, -1.0)] {
-            for (s, t) in [(u[0], v[0]), (u[0], v[1]), (u[1], v[0]), (u[1], v[1])] {
-                product(s, t).iter().for_each(|part| sum.add(sign * part));
-            }
-        }
+        sum.add_product(u_i, v_j, 1.0);
+        sum.add_product(u_j, v_i, -1.0);
         sum.is_zero()
     };
     parallel(0, 1) && parallel(1, 2) && parallel(2, 0)
@@ -109,8 +137,20 @@ impl ExactSum {
         }
     }
 
+    /// Adds `sign * u * v`, both given as a rounded value and its error.
+    fn add_product(&mut self, u: [f64; 2], v: [f64; 2], sign: f64) {
+        for (s, t) in [(u[0], v[0]), (u[0], v[1]), (u[1], v[0]), (u[1], v[1])] {
+            product(s, t).iter().for_each(|part| self.add(sign * part));
+        }
+    }
+
     fn is_zero(&self) -> bool {
         self.count == 0
+    }
+
+    /// The part that decides the sign; 0 where there is none.
+    fn largest_part(&self) -> f64 {
+        if self.count == 0 { 0.0 } else { self.parts[self.count - 1] }
     }
 }
 
@@ -130,6 +170,17 @@ mod tests {
         assert!(is_collinear(&points([[5e-324, 0.0, 0.0], [1e-323, 0.0, 0.0], [0.0; 3]])));
         // Far from the origin and far apart: the differences themselves are not exact.
         assert!(is_collinear(&points([[1.0, 1.0, 1.0], [1e-20, 1e-20, 1e-20], [1e20, 1e20, 1e20]])));
+    }
+
+    #[test]
+    fn turns_are_exact() {
+        assert!(turn_in_plane([0.0, 0.0], [1.0, 0.0], [0.0, 1.0]) > 0.0);
+        assert!(turn_in_plane([0.0, 0.0], [0.0, 1.0], [1.0, 0.0]) < 0.0);
+        assert_eq!(turn_in_plane([0.1, 0.1], [0.2, 0.2], [0.3, 0.3]), 0.0);
+        assert_eq!(turn_in_plane([0.0; 2], [0.0; 2], [0.0; 2]), 0.0);
+        let e = f64::EPSILON;
+        assert!(turn_in_plane([0.0, 0.0], [1.0 + e, 1.0], [1.0, 1.0 - e]) < 0.0, "its rounded area is 0");
+        assert!(turn_in_plane([0.0, 0.0], [5e-324, 0.0], [0.0, 5e-324]) > 0.0);
     }
 
     #[test]

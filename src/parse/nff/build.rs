@@ -14,8 +14,8 @@ use super::notices::{Notices, Oddity};
 use super::weld::Weld;
 use crate::color::Rgb;
 use crate::diagnostic::Span;
-use crate::math::{Affine3, Vec3, newell_normal, unit};
-use crate::parse::area::is_collinear;
+use crate::math::{Affine3, Vec3, newell_normal};
+use crate::parse::area::{is_collinear, unit_normal};
 use crate::parse::{ParseOptions, Winding};
 use crate::scene::{
     Light, Material, Mesh, NormalSource, Object, ObjectId, Place, Primitive, Reflection, Scene, Shape, Surface,
@@ -164,11 +164,7 @@ impl Builder {
     /// Gives normals length 1; what has no direction becomes zero.
     fn make_unit(&mut self, normals: &mut [Vec3], keyword: Span) {
         for normal in normals {
-            // A few roundings away from 1 is as near as it gets: left alone, so that a written file reads back the same.
-            if (normal.length_squared() - 1.0).abs() <= 4.0 * f64::EPSILON {
-                continue;
-            }
-            *normal = unit(*normal).unwrap_or(Vec3::ZERO);
+            *normal = unit_normal(*normal);
             if *normal == Vec3::ZERO {
                 self.notices.note(Oddity::ZeroNormal, keyword);
             }

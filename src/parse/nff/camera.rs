@@ -43,7 +43,7 @@ fn picture_size(pixels: i64, word: usize) -> Result<u32, Nonsense> {
 }
 
 /// The sine of the angle between two directions is below 10^-12.
-fn is_parallel(a: Vec3, b: Vec3) -> bool {
+pub(in crate::parse) fn is_parallel(a: Vec3, b: Vec3) -> bool {
     match (unit(a), unit(b)) {
         (Some(a), Some(b)) => a.cross(b).length() < 1e-12,
         _ => true,

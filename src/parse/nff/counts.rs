@@ -2,9 +2,10 @@
 
 use super::explain::Explain;
 use super::grammar::{Corners, Wanted};
-use super::wording::{arity, fields_in_order, name, ordinal, plain, shape, vertices};
+use super::wording::{arity, fields_in_order, name, shape, vertices};
 use crate::diagnostic::Diagnostic;
 use crate::parse::tokens::{self, count_numbers, count_words};
+use crate::parse::wording::{ordinal, plain};
 
 impl Explain<'_> {
     /// More numbers than the statement takes, from `rest` on.

@@ -5,10 +5,11 @@
 use super::grammar::{Corners, KEYWORDS, Mismatch, VIEW_FIELDS, Wanted};
 use super::is_keyword;
 use super::nonsense::Nonsense;
-use super::wording::{fields_in_order, list, name, number_meant, plain, quote, shape};
+use super::wording::{fields_in_order, name, shape};
 use crate::diagnostic::{Diagnostic, Source, Span, printable, suggest};
 use crate::parse::foreign;
 use crate::parse::tokens::{self, NotANumber};
+use crate::parse::wording::{list, number_meant, plain, quote};
 
 /// The text that mistakes are in.
 #[derive(Clone, Copy)]

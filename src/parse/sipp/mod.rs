@@ -1,0 +1,397 @@
+//! Reads `.sipp`, farop's language for scenes as SIPP has them: a tree of objects, shaders, lights.
+//!
+//! Source -SIPP (words, reader, check, build)-> Scene
+//!
+//! Four steps: `words` cuts the text, this reader and its parts (`statements`, `surface`, `shapes`, `transforms`, `uses`)
+//! make a [`Draft`] in which everything is known by name, `check` looks names up and finds cycles and runaway
+//! copies, `build` makes the scene. After a mistake the reader goes on at the next word it knows in that block.
+//!
+//! Why no recursion: nesting is input, the stack is not. Open objects are a list ([`Reader::open_nodes`]).
+//!
+//! Source: J. Yngvesson and I. Wallin, "SIPP User's Guide" (what a scene says); the language is farop's (docs/formats.md).
+
+mod block;
+mod build;
+mod check;
+mod draft;
+mod external;
+mod names;
+mod notices;
+mod order;
+mod outline;
+mod shapes;
+mod statements;
+mod surface;
+mod transforms;
+mod trouble;
+mod uses;
+mod vocabulary;
+mod weld;
+mod words;
+
+use super::wording::{plain, quote};
+use super::{ParseOptions, Parsed, tokens};
+use crate::diagnostic::{Diagnostic, Diagnostics, Source, Span, printable};
+use block::with_suggestion;
+use draft::{Draft, NodeKind};
+use notices::{Notices, Oddity};
+use std::collections::HashMap;
+use std::path::Path;
+use trouble::Trouble;
+use uses::{empty_node, is_transform};
+use vocabulary::{FILE_WORDS, ITEM_WORDS, shape_parameters};
+use words::{Kind, Token, Words};
+
+/// How many errors of one file are told.
+const MOST_ERRORS: usize = 20;
+
+/// Reads a whole source; files that it names are looked for in `folder`.
+///
+/// # Errors
+/// Up to [`MOST_ERRORS`] mistakes, and one that says there are more.
+pub(super) fn read(source: &Source, folder: &Path, options: ParseOptions) -> Result<Parsed, Diagnostics> {
+    let mut reader = Reader::new(source, folder, options);
+    reader.file();
+    let mut errors = std::mem::take(&mut reader.errors);
+    if errors.is_empty() {
+        match check::check(source, &reader.draft, &mut reader.notices) {
+            Ok(checked) => return Ok(reader.finish(source, &checked)),
+            Err(found) => errors = found,
+        }
+    }
+    if errors.len() > MOST_ERRORS {
+        errors.truncate(MOST_ERRORS);
+        errors.push(Diagnostic::error(format!("too many errors: stopped after {MOST_ERRORS}")));
+    }
+    Err(Diagnostics::new(source, errors))
+}
+
+/// Goes through a source from statement to statement.
+struct Reader<'a> {
+    words: Words<'a>,
+    source: &'a Source,
+    folder: &'a Path,
+    options: ParseOptions,
+    draft: Draft,
+    errors: Vec<Diagnostic>,
+    notices: Notices,
+    /// The words whose `{` is not closed yet, outermost first.
+    open_blocks: Vec<Span>,
+    /// The nodes of those that are objects or worlds.
+    open_nodes: Vec<u32>,
+    /// The end of the file was told, or it is no text: nothing more to say.
+    stopped: bool,
+    /// The last statement of each kind of which only the last counts.
+    last_of_kind: Vec<(Oddity, Span)>,
+    /// What was imported so far, by name: index into [`Draft::imports`].
+    imports: HashMap<&'a [u8], u32>,
+}
+
+impl<'a> Reader<'a> {
+    fn new(source: &'a Source, folder: &'a Path, options: ParseOptions) -> Reader<'a> {
+        Reader {
+            words: Words::new(source),
+            source,
+            folder,
+            options,
+            draft: Draft::default(),
+            errors: Vec::new(),
+            notices: Notices::default(),
+            open_blocks: Vec::new(),
+            open_nodes: Vec::new(),
+            stopped: false,
+            last_of_kind: Vec::new(),
+            imports: HashMap::new(),
+        }
+    }
+
+    fn file(&mut self) {
+        if self.words.peek().kind == Kind::End {
+            let message = format!("no scene: `{}` says nothing", printable(self.source.name.as_bytes()));
+            let help = "a scene has shaders, objects, a `world { ... }` that uses them, and lights";
+            self.errors.push(Diagnostic::error(message).help(help));
+            return;
+        }
+        // Pictures and archives have a 0 early on; without this they would be twenty unknown words.
+        let beginning = &self.source.text[..self.source.text.len().min(512)];
+        if let Some(at) = beginning.iter().position(|&byte| byte == 0) {
+            return self.tell(Trouble::Mistake(not_text(0, Span::new(at, at + 1))));
+        }
+        while self.goes_on() {
+            if let Err(trouble) = self.next() {
+                self.tell(trouble);
+                let is_in_object = !self.open_nodes.is_empty();
+                self.recover(|word| if is_in_object { is_item(word) } else { is_statement(word) });
+            }
+        }
+        if let Some((count, first)) = self.words.vanished {
+            self.notices.note_many(Oddity::NumberVanished, count, first);
+        }
+    }
+
+    /// Whether there is more to read, and sense in reading it. Tells of a block that the file's end cuts off.
+    fn goes_on(&mut self) -> bool {
+        if self.words.peek().kind == Kind::End && !self.open_blocks.is_empty() && !self.stopped {
+            self.tell(Trouble::End("`}`".to_string()));
+        }
+        self.words.peek().kind != Kind::End && !self.stopped && self.errors.len() <= MOST_ERRORS
+    }
+
+    /// Reads a statement, an item of the innermost open object, or its end.
+    fn next(&mut self) -> Result<(), Trouble> {
+        let token = self.words.peek();
+        if token.kind == Kind::Close {
+            self.words.take();
+            self.open_blocks.pop();
+            return self.open_nodes.pop().map(|_| ()).ok_or_else(|| {
+                let error = Diagnostic::error("a `}` that closes nothing").at(token.span, "no block is open here");
+                error.help("remove it, or look for a `}` too many above").into()
+            });
+        }
+        let token = self.words.expect_word("the scene", "a word that starts a statement")?;
+        match self.open_nodes.last() {
+            Some(&node) => self.item(token, node),
+            None => self.statement(token),
+        }
+    }
+
+    fn statement(&mut self, token: Token) -> Result<(), Trouble> {
+        let word = self.words.bytes(token.span);
+        self.check_text(word, token.span)?;
+        let line = self.words.line(token.span);
+        self.words.take();
+        match word {
+            b"shader" => self.shader(line),
+            b"object" | b"world" => self.open_node(token.span, line),
+            b"light" => self.light(line),
+            b"camera" => self.camera(token.span, line),
+            b"background" => self.background(token.span),
+            b"two_sided" => self.two_sided(token.span),
+            b"image" => self.image(token.span),
+            _ => Err(unknown_statement(word, token.span).into()),
+        }
+    }
+
+    /// Reads one item of the object `owner`.
+    fn item(&mut self, token: Token, owner: u32) -> Result<(), Trouble> {
+        let word = self.words.bytes(token.span);
+        let is_statement_only = is_statement(word) && !is_item(word);
+        if is_statement_only {
+            // Objects cannot hold it: a `}` is missing above. Go on as if it stood here.
+            self.not_closed(token.span);
+            self.open_blocks.clear();
+            self.open_nodes.clear();
+            return Ok(());
+        }
+        if is_transform(word) {
+            let so_far = self.draft.nodes[owner as usize].parent_from_local;
+            let transformed = self.transform(so_far)?;
+            let node = &mut self.draft.nodes[owner as usize];
+            (node.parent_from_local, node.is_transformed) = (transformed, true);
+            return Ok(());
+        }
+        self.check_text(word, token.span)?;
+        let line = self.words.line(token.span);
+        self.words.take();
+        match word {
+            b"object" => return self.open_node(token.span, line),
+            b"use" | b"copy" | b"clone" | b"import" => {
+                let child = match word {
+                    b"import" => self.import(token.span, line)?,
+                    _ => self.reference(token.span, line)?,
+                };
+                self.draft.nodes[owner as usize].children.push(child);
+            }
+            b"surface" => {
+                let surface = self.surface(token.span)?;
+                self.draft.nodes[owner as usize].surfaces.push(surface);
+            }
+            _ if shape_parameters(word).is_some() => {
+                let surface = self.shape(token.span, line)?;
+                self.draft.nodes[owner as usize].surfaces.extend(surface);
+            }
+            _ => return Err(unknown_item(word, token.span).into()),
+        }
+        Ok(())
+    }
+
+    /// Reads `NAME {` of an object, or `{` of a world or an object without name.
+    fn open_node(&mut self, keyword: Span, line: u32) -> Result<(), Trouble> {
+        let is_world = self.words.bytes(keyword) == b"world";
+        let parent = self.open_nodes.last().copied();
+        let is_named = matches!(self.words.peek().kind, Kind::Word | Kind::Text | Kind::Unended);
+        let name = match (parent, is_world, is_named) {
+            (_, false, true) => self.words.name("an object")?,
+            (None, false, false) => {
+                self.words.name("an object").map_err(|trouble| nameless(trouble, keyword))?
+            }
+            _ => Span::default(),
+        };
+        self.words.open(if is_world { "world" } else { "object" })?;
+        let kind = match parent {
+            Some(_) => NodeKind::Nested,
+            None if is_world => NodeKind::World,
+            None => NodeKind::Definition,
+        };
+        let node = self.add_node(draft::Node { kind, ..empty_node(name, keyword, line) });
+        if let Some(parent) = parent {
+            self.draft.nodes[parent as usize].children.push(node);
+        }
+        self.open_blocks.push(keyword);
+        self.open_nodes.push(node);
+        Ok(())
+    }
+
+    /// Keeps a mistake for the user.
+    fn tell(&mut self, trouble: Trouble) {
+        match trouble {
+            Trouble::Mistake(error) => self.errors.push(error),
+            Trouble::End(_) if self.stopped => {}
+            Trouble::End(wanted) => {
+                self.stopped = true;
+                let error = self.cut_off(&wanted);
+                self.errors.push(error);
+            }
+        }
+    }
+
+    /// The file ends too early.
+    fn cut_off(&self, wanted: &str) -> Diagnostic {
+        let end = Span::new(self.source.text.trim_ascii_end().len(), self.source.text.trim_ascii_end().len());
+        let Some(&block) = self.open_blocks.last() else {
+            return Diagnostic::error("the file ends in the middle of a statement")
+                .at(end, format!("expected {wanted}"));
+        };
+        let word = plain(self.words.bytes(block));
+        let line = self.source.line(block.start);
+        Diagnostic::error(format!("the file ends inside the `{word}` of line {line}"))
+            .at(end, format!("expected {wanted}"))
+            .at(block, "not closed")
+            .help("every `{` needs its `}`; was the file cut off?")
+    }
+
+    /// Tells that a `}` is missing before `span`.
+    fn not_closed(&mut self, span: Span) {
+        let word = quote(self.words.bytes(span));
+        let block = self.open_blocks.last().copied().unwrap_or_default();
+        let owner = plain(self.words.bytes(block));
+        let error = Diagnostic::error(format!("{word} cannot stand inside `{owner}`"))
+            .at(span, "not here")
+            .at(block, "this block is still open");
+        self.tell(error.help(format!("close `{owner}` with `}}` before it")).into());
+    }
+
+    /// Goes to the next word that makes sense in the current block, or to its `}`.
+    fn recover(&mut self, makes_sense: impl Fn(&[u8]) -> bool) {
+        loop {
+            match self.words.peek().kind {
+                Kind::End | Kind::Close => return,
+                Kind::Open => self.skip_block(),
+                Kind::Word if makes_sense(self.words.next_bytes()) => return,
+                Kind::Word | Kind::Text | Kind::Unended => _ = self.words.take(),
+            }
+        }
+    }
+
+    /// Goes behind the `}` of the current block.
+    fn skip_to_close(&mut self) {
+        self.recover(|_| false);
+        self.words.take_if(Kind::Close);
+    }
+
+    /// Goes behind a block, if the next token opens one.
+    fn skip_block(&mut self) {
+        let mut depth = 0usize;
+        loop {
+            match self.words.peek().kind {
+                Kind::Open => depth += 1,
+                Kind::Close => depth = depth.saturating_sub(1),
+                Kind::End => return,
+                _ => {}
+            }
+            if self.words.peek().kind == Kind::Close && depth == 0 {
+                self.words.take();
+                return;
+            }
+            if depth == 0 {
+                return;
+            }
+            self.words.take();
+        }
+    }
+
+    /// Scenes are text; after a byte that is none there is nothing more to say.
+    fn check_text(&mut self, word: &[u8], span: Span) -> Result<(), Trouble> {
+        match word.iter().find(|byte| byte.is_ascii_control()) {
+            Some(&byte) => {
+                self.stopped = true;
+                Err(not_text(byte, span).into())
+            }
+            None => Ok(()),
+        }
+    }
+
+    fn finish(mut self, source: &Source, checked: &check::Checked) -> Parsed {
+        if !self.draft.nodes.iter().any(|node| node.kind == NodeKind::World && node.has_content()) {
+            let notice = Diagnostic::notice("nothing is drawn: the world is empty");
+            self.notices.told.push(notice.help("objects are drawn where the world uses them: `world { use NAME }`"));
+        }
+        let default_camera = self.draft.camera.is_none().then(|| {
+            let camera = statements::default_camera();
+            crate::scene::Camera { resolution: self.draft.image.unwrap_or(camera.resolution), ..camera }
+        });
+        let scene = build::build(source, self.draft, checked);
+        Parsed { scene, notices: Diagnostics::new(source, self.notices.list()), default_camera }
+    }
+}
+
+fn is_item(word: &[u8]) -> bool {
+    ITEM_WORDS.iter().any(|known| known.as_bytes() == word)
+}
+
+fn is_statement(word: &[u8]) -> bool {
+    FILE_WORDS.iter().any(|known| known.as_bytes() == word)
+}
+
+fn not_text(byte: u8, span: Span) -> Diagnostic {
+    let error = Diagnostic::error("this is not a text file").at(span, format!("holds the byte 0x{byte:02X}"));
+    error.help("scenes are plain text, or plain text packed by gzip")
+}
+
+/// A definition without a name could never be used.
+fn nameless(trouble: Trouble, keyword: Span) -> Trouble {
+    match trouble {
+        Trouble::Mistake(_) => Diagnostic::error("an object at the level of the file needs a name")
+            .at(keyword, "this one has none")
+            .help("write `object NAME { ... }` and draw it by `world { use NAME }`")
+            .into(),
+        end @ Trouble::End(_) => end,
+    }
+}
+
+fn unknown_statement(word: &[u8], span: Span) -> Diagnostic {
+    if tokens::looks_numeric(word) {
+        return Diagnostic::error("a number where a statement should start").at(span, "no statement goes on here");
+    }
+    if is_item(word) {
+        let error = Diagnostic::error(format!("{} stands outside of all objects", quote(word)));
+        let help = "put it between the braces of an `object NAME { ... }` or of the `world { ... }`";
+        return error.at(span, "belongs into an object").help(help);
+    }
+    unknown("a statement", word, span, FILE_WORDS)
+}
+
+fn unknown_item(word: &[u8], span: Span) -> Diagnostic {
+    if tokens::looks_numeric(word) {
+        return Diagnostic::error("a number where an item of an object should start").at(span, "belongs to nothing");
+    }
+    unknown("part of an object", word, span, ITEM_WORDS)
+}
+
+fn unknown(what: &str, word: &[u8], span: Span, known: &[&str]) -> Diagnostic {
+    if let Some((origin, help)) = vocabulary::foreign(word) {
+        return Diagnostic::error(format!("{} is {origin}", quote(word))).at(span, "not understood").help(help);
+    }
+    let error = Diagnostic::error(format!("{} is not {what}", quote(word))).at(span, "not known here");
+    with_suggestion(error, word, known)
+}
