@@ -128,6 +128,15 @@ impl Diagnostics {
         Diagnostics { name: String::new(), list: vec![diagnostic], excerpts: BTreeMap::new() }
     }
 
+    /// `name:line:column` of the mistake of one of them; `None` where it has no place.
+    #[must_use]
+    pub fn place(&self, diagnostic: &Diagnostic) -> Option<String> {
+        let (span, _) = diagnostic.labels.first()?;
+        let excerpt = self.excerpts.get(&span.start)?;
+        let column = excerpt.column + characters(&excerpt.bytes[..excerpt.index_of(span.start)]);
+        Some(format!("{}:{}:{column}", printable(self.name.as_bytes()), excerpt.line))
+    }
+
     /// Whether one of them is an error.
     #[must_use]
     pub fn has_errors(&self) -> bool {
@@ -346,6 +355,16 @@ mod tests {
 help: write `p 3`, or add the missing vertex above line 5
 ";
         assert_eq!(say(text, error), expected);
+    }
+
+    #[test]
+    fn a_place_is_file_line_and_column() {
+        let text = "one\n  \u{e9} two";
+        let error = Diagnostic::error("x").at(at(text, "two"), "");
+        let source = Source { name: "a.nff".into(), ..Source::verbatim("", text.as_bytes()) };
+        let errors = Diagnostics::new(&source, vec![error]);
+        assert_eq!(errors.place(&errors.list[0]).as_deref(), Some("a.nff:2:5"));
+        assert_eq!(errors.place(&Diagnostic::error("no place")), None);
     }
 
     #[test]

@@ -137,8 +137,9 @@ impl PictureOptions {
     pub fn override_view(&self, scene: &mut Scene) -> Vec<String> {
         let view = &self.view;
         let mut replaced = Vec::new();
-        let has_camera = scene.camera.is_some();
-        if !has_camera && view.from.is_some() {
+        // SIPP's default camera stands on no line: nobody wrote it.
+        let has_camera = scene.camera.is_some_and(|camera| camera.place != Place::default());
+        if scene.camera.is_none() && view.from.is_some() {
             scene.camera = Some(self.camera_from_nothing());
         }
         if let Some(camera) = &mut scene.camera {

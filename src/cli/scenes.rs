@@ -2,12 +2,12 @@
 
 use super::error::{self, CliError, notice};
 use super::options::PictureOptions;
-use crate::parse::{self, Format, ParseOptions, Winding};
+use crate::parse::{self, Format, ParseOptions, Parsed, Winding};
 use crate::plan::Plan;
 use crate::raster::{Rasterizer, Registered, Registry};
 use crate::report::{StageTime, StageTimer};
 use crate::scene::{NormalSource, Scene};
-use crate::spd::{self, Curves};
+use crate::spd::{Curves, SpdScene};
 use clap::Args;
 use std::path::Path;
 
@@ -18,7 +18,7 @@ pub(super) struct SceneOptions {
     #[arg(required = true, value_name = "SCENE")]
     pub scenes: Vec<String>,
     /// Format of standard input and of unknown endings
-    #[arg(long, value_name = "FORMAT", value_parser = ["nff"])]
+    #[arg(long, value_name = "FORMAT", value_parser = ["nff", "sipp"])]
     format: Option<String>,
     /// file, or auto: turn polygons round whose normals point the other way
     #[arg(long, value_name = "RULE", default_value = "file", value_parser = ["file", "auto"])]
@@ -46,21 +46,25 @@ impl SceneOptions {
         let timer = StageTimer::start();
         let mut notices = Vec::new();
         let mut merged = Scene::default();
+        let mut default_camera = None;
         for name in &self.scenes {
-            let scene = self.read(name, picture.resolution, &mut notices)?;
-            for parameter in merged.merge(scene) {
+            let parsed = self.read(name, picture.resolution, &mut notices)?;
+            default_camera = parsed.default_camera.or(default_camera);
+            for parameter in merged.merge(parsed.scene) {
                 let text = format!("the {parameter} of {name} wins over that of the scenes before it");
                 notice(&text);
                 notices.push(text);
             }
         }
+        // Only where nobody wrote a camera, in whatever order the scenes come.
+        merged.camera = merged.camera.or(default_camera);
         let overridden = picture.override_view(&mut merged);
         overridden.iter().for_each(|text| notice(text));
         notices.extend(overridden);
         Ok(Loaded { scene: merged, notices, parse_time: timer.stop() })
     }
 
-    fn read(&self, name: &str, resolution: Option<u32>, notices: &mut Vec<String>) -> Result<Scene, CliError> {
+    fn read(&self, name: &str, resolution: Option<u32>, notices: &mut Vec<String>) -> Result<Parsed, CliError> {
         let options = ParseOptions {
             winding: if self.winding == "auto" { Winding::Auto } else { Winding::File },
             polygon_normals: if self.normals == "smooth" { NormalSource::Averaged } else { NormalSource::Facet },
@@ -70,39 +74,25 @@ impl SceneOptions {
                 let curves = resolution.map_or(Curves::Kept, Curves::Patches);
                 parse::read_nff(name, &built_in_text(built_in, curves)?, options)
             }
-            None => parse::load(Path::new(name), self.format.as_ref().map(|_| Format::Nff), options),
+            None => parse::load(Path::new(name), self.format.as_deref().and_then(Format::by_name), options),
         };
         let parsed = parsed.map_err(|errors| CliError::Diagnosed(errors.render(error::stderr_has_color())))?;
         if !parsed.notices.is_empty() {
             error::diagnose(&parsed.notices.render(error::stderr_has_color()));
             notices.extend(parsed.notices.list.iter().map(|notice| notice.message.clone()));
         }
-        Ok(parsed.scene)
+        Ok(parsed)
     }
 }
 
 /// The text of `NAME[:SIZE]`.
 pub(super) fn built_in_text(built_in: &str, curves: Curves) -> Result<Vec<u8>, CliError> {
-    let (name, size) = built_in.split_once(':').map_or((built_in, None), |(name, size)| (name, Some(size)));
-    let scene = find_built_in(name)?;
-    let size = match size {
-        None => scene.default_size,
-        Some(text) => text
-            .parse()
-            .map_err(|_| CliError::failed(format!("spd:{built_in}: `{text}` is not a size; write spd:{name}:4")))?,
-    };
-    let mut text = Vec::new();
-    spd::generate(scene, size, curves, &mut text)
-        .map_err(|error| CliError::failed(format!("spd:{built_in}: {error}")))?;
-    Ok(text)
+    parse::built_in::text(built_in, curves).map_err(CliError::failed)
 }
 
 /// The built-in scene of that name, or an error that lists them.
-pub(super) fn find_built_in(name: &str) -> Result<&'static spd::SpdScene, CliError> {
-    spd::find(name).ok_or_else(|| {
-        let names: Vec<_> = spd::SCENES.iter().map(|scene| scene.name).collect();
-        CliError::failed(format!("there is no built-in scene `{name}`; there is {}", names.join(", ")))
-    })
+pub(super) fn find_built_in(name: &str) -> Result<&'static SpdScene, CliError> {
+    parse::built_in::find(name).map_err(CliError::failed)
 }
 
 /// The rasterizer named after `-r`; `None` for `none`.

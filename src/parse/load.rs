@@ -5,8 +5,8 @@
 //! Gzip is recognized by its first two bytes, whatever the name says: files get renamed, bytes do not.
 
 use super::input::read_source;
-use super::{ParseOptions, Parsed, nff};
-use crate::diagnostic::{Diagnostic, Diagnostics, printable, suggest};
+use super::{ParseOptions, Parsed, nff, sipp};
+use crate::diagnostic::{Diagnostic, Diagnostics, Source, printable, suggest};
 use flate2::bufread::MultiGzDecoder;
 use std::fs::File;
 use std::io::{BufRead, BufReader, ErrorKind, stdin};
@@ -17,11 +17,13 @@ use std::path::Path;
 pub enum Format {
     /// Eric Haines' Neutral File Format.
     Nff,
+    /// farop's language for scenes as SIPP has them.
+    Sipp,
 }
 
 impl Format {
     /// All formats, by the name that is also their file extension.
-    pub const ALL: [(&'static str, Format); 1] = [("nff", Format::Nff)];
+    pub const ALL: [(&'static str, Format); 2] = [("nff", Format::Nff), ("sipp", Format::Sipp)];
 
     /// The format of that name, case aside.
     #[must_use]
@@ -47,31 +49,44 @@ pub fn load(path: &Path, format: Option<Format>, options: ParseOptions) -> Resul
     if name == "-" {
         let Some(format) = format else {
             let error = Diagnostic::error("standard input has no name that says what format it is");
-            return Err(failure(error.help("add `--format nff`")));
+            return Err(failure(error.help("add `--format nff` or `--format sipp`")));
         };
-        return read("<stdin>", stdin().lock(), format, options);
+        let source = read("<stdin>", stdin().lock())?;
+        return parse(&source, Path::new(""), format, options);
     }
     // A file that is not there is told before a format that is not known.
     let file = open(path, &name)?;
     let Some(format) = format.or_else(|| Format::of_path(path)) else {
         let error = Diagnostic::error(format!("`{name}` has no ending that says what format it is"));
         return Err(failure(
-            error.help("known are `.nff` and `.nff.gz`; if it is NFF all the same, add `--format nff`"),
+            error.help("known are `.nff`, `.sipp` and both with `.gz` behind; if it is NFF all the same, add `--format nff`"),
         ));
     };
-    read(&name, BufReader::new(file), format, options)
+    let source = read(&name, BufReader::new(file))?;
+    parse(&source, path.parent().unwrap_or(Path::new("")), format, options)
 }
 
-fn read(name: &str, mut reader: impl BufRead, format: Format, options: ParseOptions) -> Result<Parsed, Diagnostics> {
+/// Reads a file that a scene names, plain or gzip.
+pub(super) fn source(path: &Path) -> Result<Source, Diagnostics> {
+    let name = printable(path.as_os_str().as_encoded_bytes());
+    read(&name, BufReader::new(open(path, &name)?))
+}
+
+fn read(name: &str, mut reader: impl BufRead) -> Result<Source, Diagnostics> {
     let start = reader.fill_buf();
     let start = start.map_err(|error| failure(Diagnostic::error(format!("cannot read `{name}`: {error}"))))?;
-    let source = if start.starts_with(b"\x1F\x8B") {
-        read_source(name, MultiGzDecoder::new(reader))?
+    if start.starts_with(b"\x1F\x8B") {
+        read_source(name, MultiGzDecoder::new(reader))
     } else {
-        read_source(name, reader)?
-    };
+        read_source(name, reader)
+    }
+}
+
+/// `folder` is where files named in the scene are looked for.
+fn parse(source: &Source, folder: &Path, format: Format, options: ParseOptions) -> Result<Parsed, Diagnostics> {
     match format {
-        Format::Nff => nff::read(&source, options),
+        Format::Nff => nff::read(source, options),
+        Format::Sipp => sipp::read(source, folder, options),
     }
 }
 
@@ -123,6 +138,7 @@ mod tests {
         for name in ["a.nff", "a.b/c.NFF", "a.nff.gz", "a.NFF.GZ"] {
             assert_eq!(Format::of_path(Path::new(name)), Some(Format::Nff), "{name}");
         }
+        assert_eq!(Format::of_path(Path::new("a.sipp.gz")), Some(Format::Sipp));
         for name in ["a", "nff", "a.gz", ".nff", "a.nff.txt", ""] {
             assert_eq!(Format::of_path(Path::new(name)), None, "{name}");
         }

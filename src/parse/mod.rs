@@ -1,6 +1,6 @@
 //! Text -> scene: readers of scene files.
 //!
-//! file -load, input-> Source -tokens, nff-> SCENE
+//! file -load, input-> Source -tokens, nff or sipp-> SCENE
 //!
 //! Reading is all or nothing: a file with a mistake gives up to 20 diagnostics and no scene, so nobody draws half a
 //! scene and wonders. What can be drawn in spite of an oddity is drawn, and told once in [`Parsed::notices`].
@@ -9,18 +9,22 @@
 
 mod area;
 mod bezier;
+pub mod built_in;
 mod foreign;
 mod input;
 mod load;
 mod nff;
+mod sipp;
 mod tokens;
+mod wording;
 
 pub use bezier::Net as BezierNet;
 pub use input::{INPUT_LIMIT, LINE_LIMIT};
 pub use load::{Format, load};
 
 use crate::diagnostic::Diagnostics;
-use crate::scene::{NormalSource, Scene};
+use crate::scene::{Camera, NormalSource, Scene};
+use std::path::Path;
 
 /// What the formats leave open.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,6 +58,17 @@ pub struct Parsed {
     pub scene: Scene,
     /// What was dropped, replaced or looks odd; may be empty.
     pub notices: Diagnostics,
+    /// Where the format says a scene without a camera is seen from; `None` for formats that say nothing, and for scenes
+    /// that have one. It stays out of the scene so that merging never lets it win over a camera that somebody wrote.
+    pub default_camera: Option<Camera>,
+}
+
+impl Parsed {
+    /// The scene for a picture of its own: without a camera it gets the format's.
+    #[must_use]
+    pub fn into_scene(self) -> Scene {
+        Scene { camera: self.scene.camera.or(self.default_camera), ..self.scene }
+    }
 }
 
 /// Reads NFF from memory; `name` is what messages, [`Scene::files`] and the object call it.
@@ -70,6 +85,26 @@ pub struct Parsed {
 /// ```
 pub fn read_nff(name: &str, text: &[u8], options: ParseOptions) -> Result<Parsed, Diagnostics> {
     nff::read(&input::read_source(name, text)?, options)
+}
+
+/// Reads a `.sipp` scene from memory; `name` is what messages and [`Scene::files`] call it.
+///
+/// Files that it imports are looked for in the current folder; [`load`] looks beside the file it reads.
+///
+/// # Errors
+/// Up to 20 mistakes of the text, each with its place.
+///
+/// ```
+/// use farop::parse::{ParseOptions, read_sipp};
+/// let text = b"shader red phong { color 1 0 0 }  world { object ball { move 0 0 2  sphere { radius 1 shader red } } }";
+/// let parsed = read_sipp("ball.sipp", text, ParseOptions::default()).expect("it is legal");
+/// assert_eq!(parsed.scene.objects[0].name, "ball");
+/// assert_eq!(parsed.into_scene().camera.map(|camera| camera.from.z), Some(10.0), "SIPP's default camera");
+/// let error = read_sipp("ball.sipp", b"world { use bull }", ParseOptions::default()).expect_err("there is none");
+/// assert!(error.to_string().contains("ball.sipp:1:13"));
+/// ```
+pub fn read_sipp(name: &str, text: &[u8], options: ParseOptions) -> Result<Parsed, Diagnostics> {
+    sipp::read(&input::read_source(name, text)?, Path::new(""), options)
 }
 
 /// Reads SIPP's Bezier file from memory; `name` is what messages call it.

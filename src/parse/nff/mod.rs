@@ -22,6 +22,7 @@ use super::{ParseOptions, Parsed, tokens};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, Span};
 use crate::scene::Scene;
 use build::Builder;
+pub(super) use camera::is_parallel;
 use explain::Explain;
 pub(super) use grammar::KEYWORDS;
 use grammar::{Corners, Grammar};
@@ -39,7 +40,7 @@ pub(super) fn read(source: &Source, options: ParseOptions) -> Result<Parsed, Dia
     let reader = Reader::new(source, options);
     let (scene, notices) = reader.read(&mut errors);
     if errors.is_empty() {
-        Ok(Parsed { scene, notices: Diagnostics::new(source, notices) })
+        Ok(Parsed { scene, notices: Diagnostics::new(source, notices), default_camera: None })
     } else {
         Err(Diagnostics::new(source, errors))
     }

@@ -52,6 +52,12 @@ pub(super) struct Node {
     pub children: Vec<u32>,
 }
 
+impl Node {
+    pub fn has_content(&self) -> bool {
+        !self.surfaces.is_empty() || !self.children.is_empty()
+    }
+}
+
 /// Where a node gets its surfaces and children from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum NodeKind {

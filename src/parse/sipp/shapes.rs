@@ -133,7 +133,9 @@ impl Reader<'_> {
             let patches = self.indices(block, "patch", vertices.len())?;
             return Ok(Shape::Patches(Arc::new(PatchNet { vertices, patches })));
         }
-        let curves = self.indices(block, "curve", vertices.len())?;
+        let mut curves = self.indices(block, "curve", vertices.len())?;
+        // As in a Bezier file: from the curve's end to its start.
+        curves.iter_mut().for_each(|curve: &mut [u32; 4]| curve.reverse());
         Ok(Shape::Curves(Arc::new(CurveNet { vertices, curves })))
     }
 
