@@ -437,5 +437,4 @@ fn a_hundred_thousand_nested_objects_print_parse_and_drop() {
     let mut placed = (0, 0.0);
     again.walk(|instance| placed = (placed.0 + 1, instance.world_from_local.translation.x)).expect("within the budget");
     assert_eq!(placed, (count, f64::from(count)));
-    assert!(printed(&again).0 == text);
 }
