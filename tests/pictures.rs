@@ -36,7 +36,7 @@ fn scenes_of_the_project() {
         assert_eq!(parsed.notices.list.len(), usize::from(name == "merge"), "{}", parsed.notices);
         // SIPP's own demonstrations are drawn so.
         let shading = if is_sipp { Shading::Phong } else { Choices::default().shading };
-        let prefix = if is_sipp { "sipp" } else { "scene" };
+        let prefix = if is_sipp { "scene_sipp" } else { "scene" };
         assert_picture!(
             &format!("{prefix}_{name}"),
             picture(&parsed.scene, &Choices { shading, ..Choices::default() })

@@ -90,16 +90,8 @@ fn sayable(material: &Material, scene: &Scene, losses: &mut Losses) -> Material 
     losses.no_ambient += usize::from(!is_nff && material.ambient.is_none());
     let reflection = if is_nff { Reflection::Phong } else { material.reflection };
     // Without a coefficient of its own a surface reflects the ambient light as it does diffuse light.
-    let ambient = material.ambient.unwrap_or(suggested_intensity(scene) * material.diffuse);
+    let ambient = material.ambient.unwrap_or(scene.suggested_intensity() * material.diffuse);
     Material { reflection, ambient: Some(ambient), ..*material }
-}
-
-/// The intensity of each light, and of the ambient light, where a scene leaves them open: sqrt(n) / (2 n) for n lights.
-///
-/// Source: E. Haines, readme of the Standard Procedural Databases.
-pub(super) fn suggested_intensity(scene: &Scene) -> f64 {
-    let lights = scene.lights.len() as f64;
-    if scene.lights.is_empty() { 1.0 } else { lights.sqrt() / (2.0 * lights) }
 }
 
 /// What of a material the file says, as bits. Both zeros are one.

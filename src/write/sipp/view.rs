@@ -1,7 +1,6 @@
 //! Picture size, camera, background and lights.
 
 use super::Printer;
-use super::shaders::suggested_intensity;
 use crate::scene::{Camera, Light, LightSource, SpotEdge};
 use std::io;
 
@@ -34,7 +33,7 @@ impl Printer<'_> {
     }
 
     fn light(&mut self, light: &Light) -> io::Result<()> {
-        let intensity = light.intensity.unwrap_or(suggested_intensity(self.scene));
+        let intensity = light.intensity.unwrap_or(self.scene.suggested_intensity());
         self.losses.light_intensities += usize::from(light.intensity != Some(1.0));
         let kind = match light.source {
             LightSource::Point { .. } => "point",
