@@ -6,7 +6,7 @@ use farop::geometry::flatten;
 use farop::image::Image;
 use farop::math::{Affine3, Vec3};
 use farop::parse::{ParseOptions, read_nff};
-use farop::plan::{Accepts, Choices, Culling, Plan, Shading};
+use farop::plan::{Accepts, Choices, Culling, NeedsMode, Plan, Shading};
 use farop::raster::{PerPolygon, Rasterizer, Wire, ZBuffer};
 use farop::render::{Rendered, render};
 use farop::scene::{
@@ -53,7 +53,8 @@ fn bell() -> Shape {
 
 fn star() -> Shape {
     let corner = |i: u32| {
-        let (angle, radius) = (f64::from(i) / 10.0 * std::f64::consts::TAU, if i % 2 == 0 { 1.0 } else { 0.4 });
+        let (angle, radius) =
+            (f64::from(i) / 10.0 * std::f64::consts::TAU, if i.is_multiple_of(2) { 1.0 } else { 0.4 });
         [radius * angle.cos(), radius * angle.sin()]
     };
     Shape::Prism { outline: (0..10).map(corner).collect::<Vec<_>>().into(), height: 0.7 }
@@ -126,6 +127,20 @@ fn a_converted_scene_gives_the_same_picture_byte_for_byte() {
             let counts = &shapes.counts;
             assert_eq!(polygons.counts.polygons, counts.tessellated.polygons + counts.nonplanar);
         }
+    }
+}
+
+#[test]
+fn what_is_not_needed_changes_no_byte() {
+    // From among them: some shapes are behind the eye, some are cut.
+    let mut scene = side_by_side();
+    scene.camera = Some(Camera { angle: 60.0, ..camera(Vec3::new(0.5, -1.2, 0.6)) });
+    for shading in SHADINGS {
+        let picture = |needs| draw(&scene, &Choices { shading, needs, ..Choices::default() });
+        let (derived, full) = (picture(NeedsMode::Derived), picture(NeedsMode::Full));
+        assert_eq!(derived.image, full.image, "{shading:?}");
+        assert!(derived.counts.work.shapes_outside > 0 && full.counts.work.shapes_outside == 0);
+        assert!(full.counts.tessellated.clipped > derived.counts.tessellated.clipped);
     }
 }
 

@@ -21,10 +21,10 @@ pub(super) struct PictureOptions {
     /// A: every pixel is the mean of A x A samples
     #[arg(long, value_name = "A", default_value_t = 1)]
     samples: u32,
-    /// Silhouette error of spheres and cones, in pixels
+    /// Silhouette error of shapes, in pixels, where the file gives no `res`
     #[arg(long, value_name = "PX", default_value_t = 0.25)]
     tolerance: f64,
-    /// Fixed tessellation instead: 12 N N triangles a sphere, 8 N a cone
+    /// Fixed tessellation instead: 12 N N triangles a sphere, 8 N a cone; other shapes as with `res N`
     #[arg(long, value_name = "N", conflicts_with = "tolerance")]
     pub resolution: Option<u32>,
     /// Sub-pixel bits of screen coordinates, 0 to 16; 0 = FAROP's integers

@@ -145,7 +145,7 @@ fn geometry_lines(rendered: &Rendered, output: Option<&Path>, text: &mut String)
     writeln!(text, "Pipeline: Surfaces loaded: {}", counts.surfaces)?;
     writeln!(text, "Pipeline: Polygons loaded: {}", counts.polygons)?;
     if counts.tessellated.polygons > 0 {
-        writeln!(text, "Pipeline: Polygons of spheres and cones: {}", counts.tessellated.polygons)?;
+        writeln!(text, "Pipeline: Polygons of shapes: {}", counts.tessellated.polygons)?;
     }
     if counts.nonplanar > 0 {
         writeln!(text, "Pipeline: Polygons not planar, cut in two: {}", counts.nonplanar)?;
@@ -172,10 +172,7 @@ fn raster_lines(rendered: &Rendered, rasterizer: &str, text: &mut String) -> std
     let tessellated = counts.tessellated;
     if tessellated.polygons > 0 {
         let (backfacing, clipped, rendered) = (tessellated.backfacing, tessellated.clipped, tessellated.rendered);
-        writeln!(
-            text,
-            "Pipeline: Of spheres and cones: backfacing {backfacing}, clipped {clipped}, rendered {rendered}"
-        )?;
+        writeln!(text, "Pipeline: Of shapes: backfacing {backfacing}, clipped {clipped}, rendered {rendered}")?;
     }
     writeln!(
         text,

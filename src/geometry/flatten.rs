@@ -2,7 +2,7 @@
 //!
 //! Scene + Plan -FLATTEN-> Scene -write-> NFF
 //!
-//! Spheres and cones become the very polygons that the geometry stage makes of them for this view, in their place in
+//! Shapes become the very polygons that the geometry stage makes of them for this view, in their place in
 //! the file's order; so the written scene gives the same picture, byte for byte.
 
 use super::split::{SplitScratch, split};

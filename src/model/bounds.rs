@@ -163,6 +163,27 @@ mod tests {
     }
 
     #[test]
+    fn balls_of_sipps_shapes_hold_them_and_are_close() {
+        use crate::model::test_bodies::{TORUS, angle_iron, capped, pillow, vase};
+        use crate::scene::TeapotPart::{Body, Handle, Lid, Spout, Whole};
+        let ellipsoid = Shape::Ellipsoid { radii: Vec3::new(1.0, 2.0, 0.5) };
+        let block = Shape::Block { size: Vec3::new(1.0, 2.0, 3.0) };
+        // How much larger than what it holds: nothing, or what control points stand off (and the corner of a bounding box).
+        let mut shapes = vec![(ellipsoid, 1e-13), (block, 1e-13), (TORUS, 1e-13), (angle_iron(), 1e-13)];
+        shapes.extend([(capped(2.0, 0.5), 1e-13), (capped(1.0, 0.0), 1e-13), (pillow(), 0.1), (vase(0.0), 0.2)]);
+        shapes.extend([Body, Lid, Handle, Spout, Whole].map(|part| (Shape::Teapot(part), 0.2)));
+        for (shape, slack) in shapes {
+            let mut mesh = Mesh::default();
+            tessellate(&shape, false, Detail::Segments(24), 0, &mut mesh);
+            let ball = bounding_ball(&shape);
+            let reach = mesh.vertices.iter().map(|&v| (v - ball.center).length()).fold(0.0, f64::max);
+            assert!(reach <= ball.radius && ball.radius <= reach * (1.0 + slack), "{shape:?}: {reach} {ball:?}");
+        }
+        let nothing = Shape::Patches(std::sync::Arc::default());
+        assert!(bounding_ball(&nothing).radius < 1e-14);
+    }
+
+    #[test]
     fn what_overflows_holds_everything() {
         let apex = Vec3::splat(1e300);
         let shape = Shape::Cone { base: -apex, base_radius: 1e300, apex, apex_radius: 1.0 };

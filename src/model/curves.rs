@@ -18,7 +18,7 @@ use crate::scene::CurveNet;
 
 /// Adds all curves of `net`: for (n, m) segments, n rows of 4m cells each. Curves with a control point that is not finite are left out.
 pub(super) fn curves(net: &CurveNet, detail: Detail, sheet: &mut Sheet<'_>) {
-    let [rows, quarter] = detail.pair().map(|n| n.clamp(1, Detail::MAX_RESOLUTION));
+    let [rows, quarter] = detail.of_net(4 * net.curves.len());
     let mut weld = Weld::default();
     for curve in &net.curves {
         let controls = curve.map(|index| net.vertices[index as usize]);

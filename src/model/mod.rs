@@ -58,7 +58,7 @@ use sheet::Sheet;
 pub enum Detail {
     /// The same number in both directions, SIPP's `res`. Each shape keeps to limits of its own: a sphere has 4 to
     /// [`segments::MAX_SPHERE`], a cone 3 to [`segments::MAX_CIRCLE`], a torus 3 to [`segments::MAX_SPHERE`], patches and curves 1 to
-    /// [`Detail::MAX_RESOLUTION`].
+    /// [`Detail::MAX_RESOLUTION`], less where there are many.
     Segments(u32),
     /// One number for each direction, as [`segments`] finds them; shapes with one direction take the first.
     Grid([u32; 2]),
@@ -70,6 +70,15 @@ pub enum Detail {
 impl Detail {
     /// Larger resolutions are taken as this one: a sphere then has 12,582,912 triangles.
     pub const MAX_RESOLUTION: u32 = 1024;
+
+    /// A net becomes at most this many cells, whatever its file asks: the body of a teapot at the largest resolution, and not more.
+    const MOST_CELLS: f64 = 16_777_216.0;
+
+    /// Segments in the two directions, for each of `pieces` of a net.
+    fn of_net(self, pieces: usize) -> [u32; 2] {
+        let most = ((Detail::MOST_CELLS / pieces.max(1) as f64).sqrt() as u32).clamp(1, Detail::MAX_RESOLUTION);
+        self.pair().map(|n| n.clamp(1, most))
+    }
 
     /// Segments in the two directions.
     fn pair(self) -> [u32; 2] {

@@ -22,7 +22,7 @@ const INWARD: f64 = 1.0 / (1u32 << 20) as f64;
 /// Adds all patches of `net`: for n segments, n x n cells each. Patches with a control point that is not finite are left out.
 pub(super) fn patches(net: &PatchNet, detail: Detail, sheet: &mut Sheet<'_>) {
     // The same number both ways: a neighbor may run its u along our v.
-    let n = detail.pair()[0].clamp(1, Detail::MAX_RESOLUTION);
+    let [n, _] = detail.of_net(net.patches.len());
     let mut weld = Weld::default();
     let mut grid = Vec::new();
     for indices in &net.patches {

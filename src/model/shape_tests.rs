@@ -188,6 +188,23 @@ fn symmetric_shapes_are_symmetric_to_the_bit() {
 }
 
 #[test]
+fn no_number_in_a_file_makes_more_polygons_than_memory_holds() {
+    for pieces in [1, 3, 100, 1_000_000, 100_000_000] {
+        for asked in [0, 1, 1024, u32::MAX] {
+            let [n, m] = Detail::Segments(asked).of_net(pieces);
+            let cells = f64::from(n) * f64::from(m) * pieces as f64;
+            assert!((1..=1024).contains(&n) && n == m && (cells <= 16_777_216.0 || n == 1), "{pieces} {asked}: {n}");
+        }
+    }
+    // What tables promise is kept up to the limit.
+    assert_eq!(Detail::Segments(1000).of_net(12), [1000, 1000]);
+    for shape in [TORUS, ELLIPSOID, capped(1.0, 1.0)] {
+        assert!(mesh_of(&shape, false, Detail::Segments(u32::MAX)).0.polygons.len() <= 1024 * 1024);
+        assert!(mesh_of(&shape, false, Detail::Segments(0)).0.polygons.len() >= 8);
+    }
+}
+
+#[test]
 fn impossible_shapes_add_nothing() {
     let nan_net = PatchNet { vertices: vec![Vec3::NAN], patches: vec![[0; 16]] };
     let point_net = PatchNet { vertices: vec![Vec3::ONE], patches: vec![[0; 16]] };

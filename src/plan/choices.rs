@@ -14,9 +14,9 @@ pub struct Choices {
     pub shading: Shading,
     /// A: every pixel is the mean of A x A samples; at least 1.
     pub samples: u32,
-    /// Silhouette error of tessellated shapes, in pixels.
+    /// Silhouette error of tessellated shapes, in pixels, where the file does not say how finely.
     pub tolerance: f64,
-    /// Fixed tessellation instead of `tolerance`: n of the standard procedural databases.
+    /// Fixed tessellation instead of `tolerance`: n of the standard procedural databases, SIPP's `res` for other shapes. The file's own number wins.
     pub resolution: Option<u32>,
     /// Bits of a sample that screen coordinates keep: 0 (FAROP's integers) to 16.
     pub subpixel_bits: u32,

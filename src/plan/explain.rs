@@ -130,11 +130,16 @@ impl Plan {
 
     fn shapes_row(&self) -> PlanRow {
         let (shapes, outside) = (self.survey.shapes, self.survey.shapes_outside);
-        let decision = match self.choices.resolution {
+        let by_choice = match self.choices.resolution {
             Some(resolution) => format!("resolution {resolution}"),
             None => format!("by tolerance {} px", self.choices.tolerance),
         };
-        let reason = format!("{outside} of {shapes} spheres and cones lie outside the view");
+        let decision = match self.survey.shapes_with_resolution {
+            0 => by_choice,
+            all if all == shapes => "by their own res".to_string(),
+            some => format!("{some} by their own res, the others {by_choice}"),
+        };
+        let reason = format!("{outside} of {shapes} shapes lie outside the view");
         let saving = if outside > 0 { format!("all vertices of {outside} shapes") } else { String::new() };
         row("shapes", decision, reason, saving)
     }

@@ -84,7 +84,7 @@ pub struct Needs {
     pub depth: bool,
     /// Which polygons are split.
     pub split: Split,
-    /// Spheres and cones outside the view are tessellated, too.
+    /// Shapes outside the view are tessellated, too.
     pub shapes_outside: bool,
 }
 
@@ -160,8 +160,10 @@ pub struct Survey {
     pub vertices: usize,
     /// Vertices of surfaces without a highlight.
     pub matte_vertices: usize,
-    /// Spheres and cones.
+    /// Shapes: spheres, cones and what SIPP has besides.
     pub shapes: usize,
+    /// Those whose file says how finely they are cut up.
+    pub shapes_with_resolution: usize,
     /// Those that lie outside the view.
     pub shapes_outside: usize,
     /// Lights.
@@ -186,6 +188,7 @@ impl Survey {
                 survey.count_mesh(&surface.mesh, surface.material.specular > 0.0);
                 survey.look_at_box(&surface.mesh, &placed.world_from_local, view);
                 for primitive in &surface.primitives {
+                    survey.shapes_with_resolution += usize::from(primitive.resolution.is_some());
                     survey.look_at_shape(&primitive.shape, &placed.world_from_local, view);
                 }
             }

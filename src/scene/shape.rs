@@ -115,7 +115,7 @@ pub enum Shape {
 pub struct PatchNet {
     /// Local space.
     pub vertices: Vec<Vec3>,
-    /// 16 indices a patch: u along the row, v across rows.
+    /// 16 indices a patch: u along the row, v across rows. The front is where du x dv points: u to the right, v upward.
     pub patches: Vec<[u32; 16]>,
 }
 
