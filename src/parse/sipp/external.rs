@@ -108,7 +108,7 @@ fn refused(errors: &Diagnostics, file: Span, what: &str) -> Diagnostic {
     let Some(first) = mistakes.clone().next() else { return Diagnostic::error("not read").at(file, "") };
     let Some(place) = errors.place(first) else {
         // Not there, no folder, no permission: the message names the file.
-        let error = Diagnostic::error(first.message.clone()).at(file, format!("named here as {what}"));
+        let error = Diagnostic::error(first.message.clone()).at(file, "named here");
         return if let Some(help) = &first.help { error.help(help.clone()) } else { error };
     };
     let error = Diagnostic::error(format!("{what} has a mistake: {}", first.message)).at(file, format!("at {place}"));

@@ -79,6 +79,8 @@ struct Reader<'a> {
     open_blocks: Vec<Span>,
     /// The nodes of those that are objects or worlds.
     open_nodes: Vec<u32>,
+    /// How many `}` may close nothing: blocks that were taken as closed before theirs came.
+    forgiven: usize,
     /// The end of the file was told, or it is no text: nothing more to say.
     stopped: bool,
     /// The last statement of each kind of which only the last counts.
@@ -99,6 +101,7 @@ impl<'a> Reader<'a> {
             notices: Notices::default(),
             open_blocks: Vec::new(),
             open_nodes: Vec::new(),
+            forgiven: 0,
             stopped: false,
             last_of_kind: Vec::new(),
             imports: HashMap::new(),
@@ -143,6 +146,10 @@ impl<'a> Reader<'a> {
         if token.kind == Kind::Close {
             self.words.take();
             self.open_blocks.pop();
+            if self.open_nodes.is_empty() && self.forgiven > 0 {
+                self.forgiven -= 1;
+                return Ok(());
+            }
             return self.open_nodes.pop().map(|_| ()).ok_or_else(|| {
                 let error = Diagnostic::error("a `}` that closes nothing").at(token.span, "no block is open here");
                 error.help("remove it, or look for a `}` too many above").into()
@@ -179,6 +186,7 @@ impl<'a> Reader<'a> {
         if is_statement_only {
             // Objects cannot hold it: a `}` is missing above. Go on as if it stood here.
             self.not_closed(token.span);
+            self.forgiven += self.open_nodes.len() - 1;
             self.open_blocks.clear();
             self.open_nodes.clear();
             return Ok(());
@@ -272,6 +280,7 @@ impl<'a> Reader<'a> {
 
     /// Tells that a `}` is missing before `span`.
     fn not_closed(&mut self, span: Span) {
+        self.forgiven += 1;
         let word = quote(self.words.bytes(span));
         let block = self.open_blocks.last().copied().unwrap_or_default();
         let owner = plain(self.words.bytes(block));

@@ -125,7 +125,7 @@ impl<'a> Words<'a> {
             }
             Kind::Text => {}
             _ => {
-                self.expect_word(&format!("the name of {of_what}"), "a name")?;
+                self.expect_word(of_what, "a name")?;
                 let bytes = self.bytes(token.span);
                 let starts_well = bytes[0].is_ascii_alphabetic() || bytes[0] == b'_';
                 if !starts_well || !bytes.iter().all(|&byte| is_of_name(byte)) {
