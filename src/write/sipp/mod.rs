@@ -25,7 +25,7 @@ use sharing::Sharing;
 use std::io::{self, Write};
 
 /// Deeper levels are not indented further.
-const DEEPEST_INDENTATION: usize = 20;
+const DEEPEST_INDENTATION: usize = 12;
 
 /// Writes `scene` as `.sipp` and returns, one sentence each, what the language could not say.
 ///
