@@ -1,11 +1,12 @@
 //! What a `.sipp` scene means: where things stand, what is shared, which vertices are one.
 
-mod support;
+#[path = "support/command.rs"]
+mod command;
 
+use command::Desk;
 use farop::math::{Affine3, Vec3};
 use farop::parse::{ParseOptions, Parsed, load, read_sipp};
 use farop::scene::{LightSource, NormalSource, Reflection, Scene, Shape, SpotEdge, Surface, TextureMapping};
-use support::command::Desk;
 
 const RED: &str = "shader red phong { color 1 0 0 }\n";
 
@@ -76,8 +77,9 @@ fn a_matrix_has_rows_and_a_mirror_has_a_plane() {
 
 #[test]
 fn transforms_multiply_down_the_tree() {
-    let scene = read("world { object a { move 1 0 0 object b { move 0 1 0 rotate z 90deg object c { move 5 0 0 } } } }");
-    let expected = [("a", [1.0, 0.0, 0.0]), ("b", [0.0, 1.0, 0.0]), ("c", [0.0, 6.0, 0.0])];
+    let scene =
+        read("world { object a { move 1 0 0 object b { move 0 1 0 rotate z 90deg object c { move 5 0 0 } } } }");
+    let expected = [("a", [1.0, 0.0, 0.0]), ("b", [0.0; 3]), ("c", [0.0, 5.0, 0.0])];
     // b turns what it moved before: its origin is (-1, 0, 0) in a.
     let expected = expected.map(|(name, place)| (name.to_string(), place));
     assert_eq!(origins(&scene), expected);
@@ -91,7 +93,11 @@ fn a_use_starts_from_the_identity_and_shares() {
     );
     let expected = [("arm", [1.0, 0.0, 0.0]), ("hand", [1.0, 0.0, 2.0]), ("arm", [0.0; 3]), ("hand", [0.0, 0.0, 2.0])];
     assert_eq!(origins(&scene), expected.map(|(name, place)| (name.to_string(), place)));
-    assert_eq!((scene.objects.len(), scene.surfaces.len()), (3, 2), "one hand for both arms, no object for the definition");
+    assert_eq!(
+        (scene.objects.len(), scene.surfaces.len()),
+        (3, 2),
+        "one hand for both arms, no object for the definition"
+    );
     let [first, second] = [0, 1].map(|index| scene.object(scene.world[index]));
     assert_eq!((&first.surfaces, &first.children), (&second.surfaces, &second.children));
 }
@@ -119,7 +125,8 @@ fn a_copy_has_its_own_nodes_and_a_clone_its_own_surfaces() {
 
 #[test]
 fn names_may_be_used_above_their_lines_and_nested_objects_too() {
-    let scene = read("world { use finger { move 1 0 0 } } object hand { object finger { cube { size 1 shader red } } }");
+    let scene =
+        read("world { use finger { move 1 0 0 } } object hand { object finger { cube { size 1 shader red } } }");
     assert_eq!(origins(&scene), [("finger".to_string(), [1.0, 0.0, 0.0])]);
     let scene = read("world { object a { object hand {} } object b { object hand {} } }");
     assert_eq!(scene.objects.len(), 4, "nested names may repeat as long as nobody uses them");
@@ -136,18 +143,24 @@ fn several_worlds_add_up_and_one_with_surfaces_is_an_object() {
 
 #[test]
 fn vertices_in_place_are_welded_and_listed_ones_are_not() {
-    let near = "surface red { polygon { v 0 0 0 v 100 0 0 v 100 100 0 } polygon { v 0.000000009 0 0 v 100 100 0 v 0 100 0 } }";
+    let near =
+        "surface red { polygon { v 0 0 0 v 100 0 0 v 100 100 0 } polygon { v 0.000000009 0 0 v 100 100 0 v 0 100 0 } }";
     assert_eq!(only_surface(near).mesh.outlines, [0, 1, 2, 0, 2, 3]);
     let far = near.replace("0.000000009", "0.000000011");
     assert_eq!(only_surface(&far).mesh.outlines, [0, 1, 2, 3, 2, 4]);
-    let normals = "surface red { polygon { v 0 0 0 v 1 0 0 v 0 1 0 } polygon { v 0 0 0 n 0 0 2 v 1 0 0 v 0 -1 0 t 1 2 3 } }";
+    let normals =
+        "surface red { polygon { v 0 0 0 v 1 0 0 v 0 1 0 } polygon { v 0 0 0 n 0 0 2 v 1 0 0 v 0 -1 0 t 1 2 3 } }";
     let mesh = only_surface(normals).mesh;
     assert_eq!(mesh.outlines, [0, 1, 2, 3, 1, 4]);
     assert_eq!((mesh.normals[3], mesh.normals[0]), (Vec3::Z, Vec3::ZERO));
     assert_eq!((mesh.texture[4], mesh.texture[0]), (Vec3::new(1.0, 2.0, 3.0), Vec3::ZERO));
     let listed = "surface red { facet { 3 1 2 } v 0 0 0 v 0 0 0 v 1 0 0 v 0 1 0 polygon { 1 3 4 } polygon { v 0 0 0 v 1 0 0 v 0 1 0 } }";
     let mesh = only_surface(listed).mesh;
-    assert_eq!(mesh.outlines, [0, 2, 3, 4, 5, 6], "the facet has no area; what is written in place comes behind the list");
+    assert_eq!(
+        mesh.outlines,
+        [0, 2, 3, 4, 5, 6],
+        "the facet has no area; what is written in place comes behind the list"
+    );
     assert_eq!(mesh.vertices[0], mesh.vertices[1]);
 }
 
@@ -184,7 +197,8 @@ fn shapes_say_what_they_are() {
         panic!("a prism")
     };
     assert_eq!((&outline[..], height), (&[[0.0, 0.0], [2.0, 0.0], [0.0, 1.0]][..], 3.0), "turned to counterclockwise");
-    let Shape::Curves(net) = primitive("bezier { curve 1 2 3 4 v 1 0 0 v 1 0 1 v 1 0 2 v 1 0 3 shader red }").shape else {
+    let Shape::Curves(net) = primitive("bezier { curve 1 2 3 4 v 1 0 0 v 1 0 1 v 1 0 2 v 1 0 3 shader red }").shape
+    else {
         panic!("curves")
     };
     assert_eq!(net.curves, [[3, 2, 1, 0]], "from a file's direction to the scene's");
@@ -222,9 +236,18 @@ fn a_camera_has_sipps_defaults_and_the_picture_size() {
 fn imports_stand_under_their_transforms_and_are_shared() {
     let desk = Desk::new();
     desk.write("ball.nff", "b 1 0 0\nl 1 1 1\nf 0 1 0 .8 0 0 0 1\ns 0 0 0 1\n");
-    desk.write("scene.sipp", "world { import \"ball.nff\" { move 1 0 0 } use far }\nobject far { import \"ball.nff\" { move 0 5 0 } }");
+    desk.write(
+        "scene.sipp",
+        "world { import \"ball.nff\" { move 1 0 0 } use far }\nobject far { import \"ball.nff\" { move 0 5 0 } }",
+    );
     let scene = load(&desk.path("scene.sipp"), None, ParseOptions::default()).expect("legal").scene;
-    let expected = [("ball.nff", [1.0, 0.0, 0.0]), ("ball.nff", [1.0, 0.0, 0.0]), ("far", [0.0; 3]), ("ball.nff", [0.0, 5.0, 0.0]), ("ball.nff", [0.0, 5.0, 0.0])];
+    let expected = [
+        ("ball.nff", [1.0, 0.0, 0.0]),
+        ("ball.nff", [1.0, 0.0, 0.0]),
+        ("far", [0.0; 3]),
+        ("ball.nff", [0.0, 5.0, 0.0]),
+        ("ball.nff", [0.0, 5.0, 0.0]),
+    ];
     assert_eq!(origins(&scene), expected.map(|(name, place)| (name.to_string(), place)));
     assert_eq!((scene.surfaces.len(), scene.lights.len(), scene.background), (1, 0, None), "read once, objects alone");
     assert!(scene.describe(scene.surfaces[0].place).ends_with("ball.nff:3"));
@@ -233,13 +256,26 @@ fn imports_stand_under_their_transforms_and_are_shared() {
 #[test]
 fn nff_and_sipp_merge_on_the_command_line() {
     let desk = Desk::new();
-    let nff = |z: u32| format!("b 1 0 0\nv\nfrom 0 0 {z}\nat 0 0 0\nup 0 1 0\nangle 45\nhither 1\nresolution 16 16\nl 1 1 1\ns 0 0 0 1\n");
+    let nff = |z: u32| {
+        format!(
+            "b 1 0 0\nv\nfrom 0 0 {z}\nat 0 0 0\nup 0 1 0\nangle 45\nhither 1\nresolution 16 16\nl 1 1 1\ns 0 0 0 1\n"
+        )
+    };
     desk.write("a.nff", nff(5));
-    desk.write("b.sipp", format!("{RED} world {{ {SQUARE} }} light point {{ at 2 2 2 }} background 0 0 1 camera {{ from 0 0 20 }} image 8 8"));
+    desk.write(
+        "b.sipp",
+        format!(
+            "{RED} world {{ {SQUARE} }} light point {{ at 2 2 2 }} background 0 0 1 camera {{ from 0 0 20 }} image 8 8"
+        ),
+    );
     desk.write("c.sipp", format!("{RED} world {{ {SQUARE} }} image 4 4"));
     let stats = |scenes: &str| desk.done(&format!("plan {scenes}"));
     let both = stats("a.nff b.sipp");
-    assert!(both.stderr.contains("the camera of b.sipp wins") && both.stderr.contains("the background of b.sipp wins"), "{}", both.stderr);
+    assert!(
+        both.stderr.contains("the camera of b.sipp wins") && both.stderr.contains("the background of b.sipp wins"),
+        "{}",
+        both.stderr
+    );
     let other = stats("b.sipp a.nff");
     assert!(other.stderr.contains("the camera of a.nff wins"), "{}", other.stderr);
     // SIPP's default camera never wins over one that somebody wrote, whatever the order, and says nothing.
@@ -271,7 +307,7 @@ fn the_examples_of_the_document_are_read() {
 #[test]
 fn a_hundred_thousand_nested_objects_and_as_many_siblings() {
     let count = 100_000;
-    let nested = format!("world {{ {} {} }}", "object { move 0 0 1 ".repeat(count), "}".repeat(count));
+    let nested = format!("world {{ {} {} }}", "object { move 0 0 1\n".repeat(count), "}".repeat(count));
     let scene = read(&nested);
     assert_eq!(scene.objects.len(), count);
     assert_eq!(origins(&scene).last().map(|(_, place)| place[2]), Some(count as f64));

@@ -368,7 +368,9 @@ fn is_sound(text: &[u8]) {
         Ok(parsed) => {
             all_lines_are_there(&parsed.notices);
             let scene = parsed.scene;
-            scene.walk(|placed| assert!(placed.object.surfaces.iter().all(|id| (id.0 as usize) < scene.surfaces.len()))).expect("within the budget");
+            scene
+                .walk(|placed| assert!(placed.object.surfaces.iter().all(|id| (id.0 as usize) < scene.surfaces.len())))
+                .expect("within the budget");
             for mesh in scene.surfaces.iter().map(|surface| &surface.mesh) {
                 assert!(mesh.outlines.iter().all(|&index| (index as usize) < mesh.vertices.len()));
                 assert!(mesh.normals.is_empty() || mesh.normals.len() == mesh.vertices.len());

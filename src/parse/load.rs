@@ -58,9 +58,9 @@ pub fn load(path: &Path, format: Option<Format>, options: ParseOptions) -> Resul
     let file = open(path, &name)?;
     let Some(format) = format.or_else(|| Format::of_path(path)) else {
         let error = Diagnostic::error(format!("`{name}` has no ending that says what format it is"));
-        return Err(failure(
-            error.help("known are `.nff`, `.sipp` and both with `.gz` behind; if it is NFF all the same, add `--format nff`"),
-        ));
+        return Err(failure(error.help(
+            "known are `.nff`, `.sipp` and both with `.gz` behind; if it is NFF all the same, add `--format nff`",
+        )));
     };
     let source = read(&name, BufReader::new(file))?;
     parse(&source, path.parent().unwrap_or(Path::new("")), format, options)

@@ -126,7 +126,8 @@ impl Sizes<'_> {
         node.children.iter().for_each(|&child| size.add(sizes[child as usize]));
         if let NodeKind::Import(import) = node.kind {
             let scene = &self.draft.imports[import as usize];
-            let corners = scene.surfaces.iter().map(|surface| surface.mesh.vertices.len() + surface.mesh.outlines.len());
+            let corners =
+                scene.surfaces.iter().map(|surface| surface.mesh.vertices.len() + surface.mesh.outlines.len());
             let (objects, surfaces) = (scene.objects.len() as u64, scene.surfaces.len() as u64);
             size.add(Size { objects, surfaces, corners: corners.sum::<usize>() as u64 });
         }
@@ -148,7 +149,9 @@ impl Sizes<'_> {
             "the copies up to this `{}` are more than {MOST_COPIES} objects or surfaces, or {MOST_CLONED_CORNERS} vertices",
             self.word(node)
         );
-        Diagnostic::error(message).at(node.keyword, "counted up to here").help("`use` shares what `copy` and `clone` repeat")
+        Diagnostic::error(message)
+            .at(node.keyword, "counted up to here")
+            .help("`use` shares what `copy` and `clone` repeat")
     }
 
     fn word(&self, node: &Node) -> String {

@@ -7,8 +7,8 @@ use super::Reader;
 use super::trouble::Trouble;
 use crate::diagnostic::{Diagnostic, Diagnostics, Severity, Span, printable};
 use crate::parse::bezier::{self, Net};
-use crate::parse::{Parsed, built_in, load};
 use crate::parse::wording::plain;
+use crate::parse::{Parsed, built_in, load};
 use crate::scene::{Scene, Shape};
 use crate::spd::Curves;
 use std::path::PathBuf;
@@ -26,7 +26,10 @@ impl Reader<'_> {
         }
         if self.imports.len() >= MOST_IMPORTS {
             let error = Diagnostic::error(format!("a scene imports at most {MOST_IMPORTS} files"));
-            return Err(error.at(file, "one more").help("join some of them: `farop convert a.nff b.nff -o ab.nff`").into());
+            return Err(error
+                .at(file, "one more")
+                .help("join some of them: `farop convert a.nff b.nff -o ab.nff`")
+                .into());
         }
         let parsed = match name.strip_prefix(b"spd:") {
             Some(built_in) => self.built_in(built_in, file)?,
@@ -64,7 +67,8 @@ impl Reader<'_> {
             }
         }
         // What `--normals` and `--winding` say holds for NFF wherever it comes from.
-        load::load(&path, Some(load::Format::Nff), self.options).map_err(|errors| refused(&errors, file, "an import").into())
+        load::load(&path, Some(load::Format::Nff), self.options)
+            .map_err(|errors| refused(&errors, file, "an import").into())
     }
 
     /// Lights, camera and background of an import are left out, with a notice.

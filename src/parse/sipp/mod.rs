@@ -230,9 +230,7 @@ impl<'a> Reader<'a> {
         let is_named = matches!(self.words.peek().kind, Kind::Word | Kind::Text | Kind::Unended);
         let name = match (parent, is_world, is_named) {
             (_, false, true) => self.words.name("an object")?,
-            (None, false, false) => {
-                self.words.name("an object").map_err(|trouble| nameless(trouble, keyword))?
-            }
+            (None, false, false) => self.words.name("an object").map_err(|trouble| nameless(trouble, keyword))?,
             _ => Span::default(),
         };
         self.words.open(if is_world { "world" } else { "object" })?;

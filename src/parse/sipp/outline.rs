@@ -21,7 +21,10 @@ pub(super) fn check(points: &[[f64; 2]]) -> Result<(), Fault> {
     let fault = |message: String, help| Err(Fault { message, help });
     let count = points.len();
     if count < 3 {
-        return fault(format!("an outline has at least 3 points, this one has {count}"), "write `outline X Y X Y X Y ...`");
+        return fault(
+            format!("an outline has at least 3 points, this one has {count}"),
+            "write `outline X Y X Y X Y ...`",
+        );
     }
     if count > MOST_POINTS {
         let message = format!("an outline has at most {MOST_POINTS} points, this one has {count}");

@@ -125,7 +125,8 @@ impl Reader<'_> {
             None => {}
         }
         if has_patches == block.has("curve") {
-            let message = if has_patches { "a `bezier` has patches or curves, not both" } else { "a `bezier` of nothing" };
+            let message =
+                if has_patches { "a `bezier` has patches or curves, not both" } else { "a `bezier` of nothing" };
             return Err(mistake(message).into());
         }
         let vertices: Vec<Vec3> = block.all("v").map(|given| vector(&given.numbers)).collect();

@@ -39,8 +39,7 @@ impl Reader<'_> {
         self.note_bright(&block);
         let number = |word: &str, default: f64| block.number(word).unwrap_or(default);
         let is_phong = self.words.bytes(kind) == b"phong";
-        let reflection =
-            if is_phong { Reflection::Phong } else { Reflection::Basic { c3: number("c3", 0.2) } };
+        let reflection = if is_phong { Reflection::Phong } else { Reflection::Basic { c3: number("c3", 0.2) } };
         let material = Material {
             reflection,
             color: block.color("color").unwrap_or(Rgb::WHITE),
@@ -150,7 +149,10 @@ impl Reader<'_> {
         let nearest = if hither > 0.0 { hither } else { distance / 1000.0 };
         if yon.is_some_and(|yon| yon <= nearest) {
             let error = Diagnostic::error(format!("`yon` must be beyond `hither`, which is {nearest}"));
-            return Err(error.at(block.place("yon"), "not beyond it").help("leave it out to see infinitely far").into());
+            return Err(error
+                .at(block.place("yon"), "not beyond it")
+                .help("leave it out to see infinitely far")
+                .into());
         }
         if is_parallel(up, at - from) {
             self.notices.note(Oddity::UpAlongView, block.keyword);

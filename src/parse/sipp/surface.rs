@@ -8,13 +8,13 @@
 //! Space: local; counterclockwise seen from the front. Cost: one look-up a vertex in place.
 
 use super::Reader;
+use super::block::with_suggestion;
 use super::draft::RawSurface;
 use super::notices::Oddity;
 use super::trouble::Trouble;
 use super::vocabulary::{FILE_WORDS, ITEM_WORDS, SURFACE_WORDS};
 use super::weld::{Vertex, Weld};
 use super::words::Kind;
-use super::block::with_suggestion;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::math::Vec3;
 use crate::parse::area::{is_collinear, unit_normal};
@@ -91,11 +91,13 @@ impl Reader<'_> {
             b"two_sided" => draft.two_sided = Some(self.on_off("two_sided")?),
             b"winding" => draft.is_clockwise = self.winding()?,
             _ if tokens::looks_numeric(word) => {
-                let error = Diagnostic::error("a number too many in this `surface`").at(token.span, "belongs to nothing");
+                let error =
+                    Diagnostic::error("a number too many in this `surface`").at(token.span, "belongs to nothing");
                 return Err(error.help("indices and vertices of a polygon stand between its braces").into());
             }
             _ => {
-                let error = Diagnostic::error(format!("`surface` has no {}", quote(word))).at(token.span, "not known here");
+                let error =
+                    Diagnostic::error(format!("`surface` has no {}", quote(word))).at(token.span, "not known here");
                 return Err(with_suggestion(error, word, SURFACE_WORDS).into());
             }
         }

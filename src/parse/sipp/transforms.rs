@@ -71,11 +71,7 @@ impl Reader<'_> {
         let point = self.labeled("point", "mirror")?;
         let n = self.direction("normal", "mirror")?;
         // v' = v - 2 (v . n) n: every column of the matrix is a mirrored axis.
-        let flip = Mat3::from_cols(
-            Vec3::X - 2.0 * n.x * n,
-            Vec3::Y - 2.0 * n.y * n,
-            Vec3::Z - 2.0 * n.z * n,
-        );
+        let flip = Mat3::from_cols(Vec3::X - 2.0 * n.x * n, Vec3::Y - 2.0 * n.y * n, Vec3::Z - 2.0 * n.z * n);
         Ok(Affine3::from_mat3_translation(flip, 2.0 * point.dot(n) * n))
     }
 
@@ -136,12 +132,13 @@ impl Reader<'_> {
         let error = Diagnostic::error(format!("the angle `{digits}` has no unit")).at(span, "degrees or radians?");
         let unit_follows = self.words.is_next("deg") || self.words.is_next("rad");
         let unit = if unit_follows { plain(self.words.next_bytes()) } else { String::new() };
-        error.help(if unit_follows {
-            format!("write `{digits}{unit}`, without a blank")
-        } else {
-            format!("write `{digits}deg` or `{digits}rad`")
-        })
-        .into()
+        error
+            .help(if unit_follows {
+                format!("write `{digits}{unit}`, without a blank")
+            } else {
+                format!("write `{digits}deg` or `{digits}rad`")
+            })
+            .into()
     }
 }
 

@@ -101,42 +101,52 @@ pub(super) fn shape_parameters(word: &[u8]) -> Option<&'static [Parameter]> {
     Some(match word {
         b"cube" => const { &[numbers("size", "size S", &[1], Range::Above0).required()] },
         b"block" => const { &[numbers("size", "size X Y Z", &[3], Range::Above0).required()] },
-        b"prism" => const {
-            &[
-                other("outline", "outline X Y X Y X Y ...", Takes::Pairs).required(),
-                numbers("height", "height H", &[1], Range::Above0).required(),
-            ]
-        },
+        b"prism" => {
+            const {
+                &[
+                    other("outline", "outline X Y X Y X Y ...", Takes::Pairs).required(),
+                    numbers("height", "height H", &[1], Range::Above0).required(),
+                ]
+            }
+        }
         b"sphere" => const { &[RADIUS, numbers("center", "center X Y Z", &[3], Range::Any)] },
         b"ellipsoid" => const { &[numbers("radii", "radii X Y Z", &[3], Range::Above0).required()] },
         b"cylinder" => const { &[RADIUS, LENGTH] },
-        b"cone" => const {
-            &[
-                numbers("bottom", "bottom R", &[1], Range::From0).required(),
-                numbers("top", "top R", &[1], Range::From0).required(),
-                LENGTH,
-            ]
-        },
-        b"torus" => const {
-            &[
-                numbers("ring", "ring R", &[1], Range::Above0).required(),
-                numbers("tube", "tube R", &[1], Range::Above0).required(),
-            ]
-        },
-        b"open_cone" => const {
-            &[
-                numbers("base", "base X Y Z R", &[4], Range::Any).required(),
-                numbers("apex", "apex X Y Z R", &[4], Range::Any).required(),
-            ]
-        },
-        b"bezier" => const {
-            &[
-                other("file", "file \"NAME\"", Takes::Text),
-                numbers("v", "v X Y Z", &[3], Range::Any).repeats(),
-                numbers("patch", "patch and 16 indices", &[16], Range::Any).repeats(),
-                numbers("curve", "curve and 4 indices", &[4], Range::Any).repeats(),
-            ]
-        },
+        b"cone" => {
+            const {
+                &[
+                    numbers("bottom", "bottom R", &[1], Range::From0).required(),
+                    numbers("top", "top R", &[1], Range::From0).required(),
+                    LENGTH,
+                ]
+            }
+        }
+        b"torus" => {
+            const {
+                &[
+                    numbers("ring", "ring R", &[1], Range::Above0).required(),
+                    numbers("tube", "tube R", &[1], Range::Above0).required(),
+                ]
+            }
+        }
+        b"open_cone" => {
+            const {
+                &[
+                    numbers("base", "base X Y Z R", &[4], Range::Any).required(),
+                    numbers("apex", "apex X Y Z R", &[4], Range::Any).required(),
+                ]
+            }
+        }
+        b"bezier" => {
+            const {
+                &[
+                    other("file", "file \"NAME\"", Takes::Text),
+                    numbers("v", "v X Y Z", &[3], Range::Any).repeats(),
+                    numbers("patch", "patch and 16 indices", &[16], Range::Any).repeats(),
+                    numbers("curve", "curve and 4 indices", &[4], Range::Any).repeats(),
+                ]
+            }
+        }
         b"teapot" | b"teapot_body" | b"teapot_lid" | b"teapot_handle" | b"teapot_spout" => &[],
         _ => return None,
     })
