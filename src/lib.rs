@@ -15,7 +15,7 @@
 //! | [`diagnostic`], [`report`] | messages with places; counts and times |
 //! | [`scene`] | the tree of objects, surfaces, lights, the camera |
 //! | [`model`], [`spd`] | shapes as polygons; the standard procedural databases |
-//! | [`parse`], [`write`](mod@write) | NFF in, NFF out |
+//! | [`parse`], [`write`](mod@write) | NFF and SIPP scenes in and out |
 //! | [`plan`] | what the scene needs and what the user chose |
 //! | [`screen`] | screen polygons, planes, lights and reflection models, screen files |
 //! | [`geometry`] | cull, clip, light, split, project: FAROP's figure 4 |

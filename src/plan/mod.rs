@@ -87,9 +87,7 @@ impl Plan {
         if matches!(choices.depth, DepthFormat::Int16 | DepthFormat::Int24) && view.yon.is_infinite() {
             return Err(PlanError::IntegerDepthNeedsYon(choices.depth.name()));
         }
-        // The suggestion that comes with the standard procedural databases: n lights and the ambient, sqrt(n)/(2n) each.
-        let lights = scene.lights.iter().filter(|light| light.intensity.is_none()).count();
-        let suggested = if lights == 0 { 1.0 } else { (lights as f64).sqrt() / (2.0 * lights as f64) };
+        let suggested = scene.suggested_intensity();
         let survey = Survey::new(scene, &view)?;
         let needs = match choices.needs {
             NeedsMode::Derived => Needs::derive(&survey, choices, accepts),

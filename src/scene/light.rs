@@ -2,7 +2,7 @@
 //!
 //! Space: world space. Colors are light, not display values. None of them fades with distance (SIPP's and NFF's rule).
 
-use super::Place;
+use super::{Place, Scene};
 use crate::color::Rgb;
 use crate::math::Vec3;
 
@@ -24,6 +24,19 @@ impl Light {
     #[must_use]
     pub fn point(position: Vec3, color: Rgb, place: Place) -> Light {
         Light { source: LightSource::Point { position }, color, intensity: None, place }
+    }
+}
+
+impl Scene {
+    /// The intensity of each light that leaves it open, and of the ambient light: sqrt(n) / (2 n) for n such lights; where none leaves it
+    /// open, for all lights; 1 without lights.
+    ///
+    /// Source: E. Haines, readme of the Standard Procedural Databases.
+    #[must_use]
+    pub fn suggested_intensity(&self) -> f64 {
+        let open = self.lights.iter().filter(|light| light.intensity.is_none()).count();
+        let count = if open > 0 { open } else { self.lights.len() } as f64;
+        if count == 0.0 { 1.0 } else { count.sqrt() / (2.0 * count) }
     }
 }
 

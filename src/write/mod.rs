@@ -6,5 +6,7 @@ mod annotation;
 mod losses;
 mod nff;
 mod number;
+mod sipp;
 
 pub use nff::{POLYGONIZED_SEGMENTS, write_nff};
+pub use sipp::write_sipp;

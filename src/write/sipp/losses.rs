@@ -1,0 +1,41 @@
+//! What the language of `.sipp` files could not say so far.
+
+/// Counts, by kind.
+#[derive(Default)]
+pub(super) struct Losses {
+    pub no_camera: bool,
+    /// Lights whose intensity was left to the renderer, or was not 1.
+    pub light_intensities: usize,
+    /// Surfaces of NFF's reflection model.
+    pub nff_surfaces: usize,
+    /// Surfaces of SIPP's models without an ambient coefficient.
+    pub no_ambient: usize,
+    pub given_normals: usize,
+    pub mixed_surfaces: usize,
+    /// Objects that got another name, or one at all.
+    pub names: usize,
+}
+
+impl Losses {
+    pub fn notices(&self) -> Vec<String> {
+        let counted = |count: usize, what: &str| (count > 0).then(|| format!("{what}: {count}"));
+        [
+            self.no_camera.then(|| "the scene has no camera: read again, it gets SIPP's own".to_string()),
+            counted(self.light_intensities, "light intensities multiplied into the colors of the lights"),
+            counted(
+                self.nff_surfaces,
+                "surfaces of NFF's reflection written as `phong`, which clamps its sums and shows highlights on the far side too",
+            ),
+            counted(self.no_ambient, "surfaces that got an ambient coefficient, as the renderer would have chosen"),
+            counted(
+                self.given_normals,
+                "polygons with given normals, averaged where none is given instead of the polygon's own",
+            ),
+            counted(self.mixed_surfaces, "surfaces of polygons and shapes, taken apart: the polygons of each stay together"),
+            counted(self.names, "names of objects changed or made up: what stands in several places needs a name of its own"),
+        ]
+        .into_iter()
+        .flatten()
+        .collect()
+    }
+}
