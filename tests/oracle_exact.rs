@@ -4,6 +4,7 @@ mod support;
 
 use farop::math::Vec3;
 use farop::oracle::Vertices;
+use farop::oracle::depth::{Depth, DepthOrder};
 use farop::oracle::exact::{ExactCounts, Rules, covers, judge, layers};
 use farop::plan::{Choices, Culling, DepthFormat};
 use farop::raster::ZBuffer;
@@ -254,4 +255,70 @@ fn true_depth_tells_apart_what_single_precision_cannot() {
         assert_eq!(truth.counts.disputed > truth.counts.covered / 2, parts > 1e6, "1 / {parts}");
         assert!(if parts < 1e7 { close == 0 } else { close > 0 || parts < 1e8 }, "1 / {parts}: {close}");
     }
+}
+
+#[test]
+fn the_contract_is_met_to_the_last_bit() {
+    let mut judged = 0;
+    for seed in 1..=12 {
+        let mut scene = Mix { seed, polygons: 24, corners: (3, 6), ..Mix::default() }.scene(48);
+        scene.camera.iter_mut().for_each(|camera| camera.yon = Some(50.0));
+        let depth = DepthFormat::ALL[seed as usize % 4];
+        let list = geometry_of(&scene, &Choices { depth, ..Choices::default() }).0;
+        for polygon in list.polygons() {
+            let oracle = Depth::new(&polygon, DepthOrder::Contract).expect("a list with depth");
+            // Everywhere, not only where it is covered: there its range holds most, so its middle is asked, too.
+            for sample in (0..48 * 48).map(|at| (at % 48, at / 48)) {
+                assert_eq!(oracle.at(&list, sample), polygon.depth(sample.0, sample.1), "{depth:?} {sample:?}");
+                judged += u64::from(covers(&polygon, Vertices::Snapped, sample) == Some(true));
+            }
+        }
+    }
+    assert!(judged > 5_000, "{judged}");
+}
+
+/// 1/w of the plane of three corners at a sample, as numerator and denominator of any length; the latter positive.
+fn fraction([a, b, c]: [Vec3; 3], (x, y): (i32, i32)) -> (BigInt, BigInt) {
+    let minus = |p: Vec3, q: Vec3| [0, 1, 2].map(|axis| big(p[axis]) - big(q[axis]));
+    let (first, second) = (minus(b, a), minus(c, a));
+    let normal = [(1, 2), (2, 0), (0, 1)].map(|(p, q)| &first[p] * &second[q] - &first[q] * &second[p]);
+    let dot = |v: [f64; 3]| &normal[0] * big(v[0]) + &normal[1] * big(v[1]) + &normal[2] * big(v[2]);
+    let (above, below) = (dot([f64::from(x) + 0.5, f64::from(y) + 0.5, 1.0]), dot(a.to_array()));
+    if below < BigInt::from(0) { (-above, -below) } else { (above, below) }
+}
+
+#[test]
+fn true_depth_equals_numbers_of_any_length() {
+    let mut random = Random::new(31);
+    let (mut equal, mut near) = (0, 0);
+    for round in 0..400 {
+        let mut list = DrawList::new(8, 8);
+        let mut corner = || {
+            let w = random.between(1.0, 20.0);
+            Vec3::new(random.between(-4.0, 12.0) * w, random.between(-4.0, 12.0) * w, w)
+        };
+        let first: [Vec3; 3] = std::array::from_fn(|_| corner());
+        let mut second = first;
+        // The same plane again, one coordinate of one corner a last digit off; every fourth not at all.
+        if round % 4 > 0 {
+            let moved = &mut second[random.whole(0, 2) as usize][random.whole(0, 2) as usize];
+            *moved = if random.one_in(2) { moved.next_up() } else { moved.next_down() };
+        }
+        for corners in [first, second] {
+            list.push_flat(&[(0.0, 0.0), (8.0, 0.0), (0.0, 8.0)], 1.0, [1.0; 3]);
+            let vertices = list.vertices.len() - 3;
+            (0..3).for_each(|index| list.vertices[vertices + index].homogeneous = corners[index]);
+        }
+        list.planes.iter_mut().for_each(|plane| (plane.low, plane.high) = (-1e9, 1e9));
+        let depths = [0, 1].map(|index| Depth::new(&list.polygon(index), DepthOrder::True).expect("finite"));
+        for sample in (0..64).map(|at| (at % 8, at / 8)) {
+            let ((a, a_below), (b, b_below)) = (fraction(first, sample), fraction(second, sample));
+            let expected = (a * b_below).cmp(&(b * a_below));
+            assert_eq!(depths[0].compare(&depths[1], &list, sample), expected, "{first:?} {second:?} {sample:?}");
+            equal += u64::from(expected.is_eq());
+            near += u64::from(expected.is_ne() && depths[0].at(&list, sample) == depths[1].at(&list, sample));
+        }
+    }
+    println!("{equal} equal, {near} of the others equal in f64");
+    assert!(equal > 5_000 && near > 500, "{equal} {near}");
 }

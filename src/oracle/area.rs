@@ -177,28 +177,29 @@ mod tests {
 
     #[test]
     fn a_long_edge_keeps_its_place() {
-        // Corners thousands of pixels away, in 256ths; the edge falls by less than a pixel over the pixel in hand.
+        // Corners thousands of pixels away, in 2^-20 of a pixel; the edge falls by less than a pixel over the pixel in hand.
+        const UNIT: i128 = 1 << 20;
         let mut state = 7_u64;
         let mut whole = |low: i128, high: i128| {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            low + i128::from(state >> 33) % (high - low)
+            low + i128::from(state >> 20) % (high - low)
         };
         let mut judged = 0;
         while judged < 200 {
-            let (x0, x1) = (whole(-1_000_000, -900_000), whole(1_000_000, 1_100_000));
-            let (y0, y1) = (whole(-100_000, 100_000), whole(-100_000, 100_000));
+            let (x0, x1) = (whole(-4000 * UNIT, -3600 * UNIT), whole(3600 * UNIT, 4000 * UNIT));
+            let (y0, y1) = (whole(-400 * UNIT, 400 * UNIT), whole(-400 * UNIT, 400 * UNIT));
             let (column, run) = (whole(-3000, 3000), x1 - x0);
-            // Height of the edge over the middle of the column, in 512ths of a pixel times `run`; its fall over the column.
-            let middle = 2 * y0 * run + (512 * column + 256 - 2 * x0) * (y1 - y0);
-            let (row, fall) = (middle.div_euclid(512 * run), 256 * (y1 - y0).abs());
-            let inside = middle - row * 512 * run;
-            if inside < fall || inside > 512 * run - fall {
+            // Height of the edge over the middle of the column, in half units times `run`; its fall over the column.
+            let middle = 2 * y0 * run + ((2 * column + 1) * UNIT - 2 * x0) * (y1 - y0);
+            let (row, fall) = (middle.div_euclid(2 * UNIT * run), UNIT * (y1 - y0).abs());
+            let inside = middle - row * 2 * UNIT * run;
+            if inside < fall || inside > 2 * UNIT * run - fall {
                 continue;
             }
-            let at = |x: i128, y: i128| (x as f64 / 256.0, y as f64 / 256.0);
-            let outline = [at(x0, y0), at(x1, y1), at(x1, 1_000_000), at(x0, 1_000_000)];
+            let at = |x: i128, y: i128| (x as f64 / UNIT as f64, y as f64 / UNIT as f64);
+            let outline = [at(x0, y0), at(x1, y1), at(x1, 4000 * UNIT), at(x0, 4000 * UNIT)];
             let found = share(&outline, (column as f64, row as f64)).area;
-            let expected = 1.0 - inside as f64 / (512 * run) as f64;
+            let expected = 1.0 - inside as f64 / (2 * UNIT * run) as f64;
             assert!((found - expected).abs() < 4e-15, "{found} {expected}");
             judged += 1;
         }

@@ -229,8 +229,9 @@ impl<'a> Judge<'a> {
         let (near, far) = (a.at(self.list, sample), b.at(self.list, sample));
         let slack = a.slack(sample) + b.slack(sample);
         let tie = a.compare(b, self.list, sample).is_eq();
-        // Written so that a slack that is not a number disputes.
-        (tie || !(near - far > self.rules.band * near.abs() + slack), tie)
+        // A slack that is not a number disputes.
+        let clear = near - far > self.rules.band * near.abs() + slack;
+        (tie || !clear, tie)
     }
 
     fn finish(mut self) -> ExactPicture {

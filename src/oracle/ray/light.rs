@@ -137,4 +137,20 @@ mod tests {
         close(lit(&dull, aimed((1.0 + border) / 2.0, SpotEdge::Soft)), 0.125 + 0.125);
         close(lit(&dull, aimed(border - 0.01, SpotEdge::Soft)), 0.125);
     }
+
+    #[test]
+    fn only_sipp_has_highlights_on_the_dark_side() {
+        // Light from 0.6 below the surface, mirrored to 0.8 along the view.
+        let source = LightSource::Directional { to_light: Vec3::new(-0.8, 0.0, -0.6) };
+        let light = Light { source, intensity: Some(1.0), ..Light::point(Vec3::ZERO, Rgb::WHITE, Place::default()) };
+        let scene = Scene { lights: vec![light], ..Scene::default() };
+        let choices = Choices { ambient: Some(0.0), ..Choices::default() };
+        let point = Point { place: Vec3::ZERO, normal: Vec3::Z, to_eye: Vec3::X };
+        let lit = |reflection| {
+            let material = Material { reflection, specular: 0.5, shine: 2.0, ..Material::default() };
+            Lighting::new(&scene, &choices).reflected(&material, &point).r
+        };
+        assert_eq!(lit(Reflection::Nff), 0.0);
+        assert!((lit(Reflection::Phong) - 0.32).abs() < 1e-15);
+    }
 }

@@ -30,7 +30,7 @@ impl Ray {
     }
 
     /// The same line, from its point nearest to `center`; and the t of that point.
-    fn from_nearest(&self, center: Vec3) -> (Ray, f64) {
+    fn starting_nearest(&self, center: Vec3) -> (Ray, f64) {
         let t = (center - self.origin).dot(self.direction) / self.direction.length_squared();
         (Ray { origin: self.at(t), ..*self }, t)
     }
@@ -114,7 +114,7 @@ fn roots(a: f64, b: f64, c: f64) -> impl Iterator<Item = f64> {
 }
 
 fn sphere(center: Vec3, radius: f64, ray: &Ray, found: &mut dyn FnMut(Crossing)) {
-    let (ray, start) = ray.from_nearest(center);
+    let (ray, start) = ray.starting_nearest(center);
     let nearest = ray.origin - center;
     // From the nearest point both crossings are equally far.
     let half = ((radius * radius - nearest.length_squared()) / ray.direction.length_squared()).sqrt();
@@ -133,7 +133,7 @@ fn side(
     ray: &Ray,
     found: &mut dyn FnMut(Crossing),
 ) {
-    let (ray, start) = ray.from_nearest((base + apex) / 2.0);
+    let (ray, start) = ray.starting_nearest((base + apex) / 2.0);
     let height = (apex - base).length();
     let along = (apex - base) / height;
     let growth = (apex_radius - base_radius) / height;
