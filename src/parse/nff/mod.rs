@@ -176,7 +176,7 @@ impl<'a> Reader<'a> {
         if word == keyword {
             return Some(annotation);
         }
-        let keyword = wording::plain(keyword);
+        let keyword = crate::parse::wording::plain(keyword);
         let error = Diagnostic::error(format!("`{name}` belongs to the `{keyword}` behind it, but none follows"));
         let error = error.at(span, "belongs to nothing").help(format!("put it right before an `{keyword}`"));
         errors.push(match statement {
