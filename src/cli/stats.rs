@@ -124,7 +124,7 @@ fn geometry_lines(rendered: &Rendered, output: Option<&Path>, text: &mut String)
     let (plan, counts, times) = (&rendered.plan, &rendered.counts, &rendered.times);
     let (width, height) = plan.view.pixels;
     let resolution = format!("{width},{height},{},256", plan.choices.depth.name());
-    let (hither, yon) = (plan.view.hither, plan.view.yon);
+    let (hither, yon) = (plan.view.hither * plan.view.unit, plan.view.yon * plan.view.unit);
     writeln!(text, "Pipeline: Hither:{hither:.2}, Yon:{yon:.2}, Resolution(X,Y,Z,Color):{resolution}")?;
     writeln!(text, "Pipeline: Pipeline creating render data, wait...")?;
     writeln!(text, "Timer started")?;

@@ -6,17 +6,23 @@
 //! snapped vertices would punch holes. The polygon's normal is Newell's; it faces away when the eye is not in front of
 //! its plane.
 //!
+//! Why scaled: area and distance multiply three coordinates, which leaves `f64` beyond 1e103. A power of two brings them
+//! near 1 first and changes no sign.
+//!
 //! Space: eye space, the eye at the origin. Eye space is left-handed, so the Newell normal of a polygon that runs
 //! counterclockwise for the viewer points *away* from the viewer.
 
-use crate::math::{Vec3, newell_normal};
+use crate::math::{Vec3, largest_coordinate, newell_normal, ordinary_scale};
+
+/// Coordinates above this are counted as not finite: sums of a few of them are not.
+const LARGEST: f64 = f64::MAX / 1024.0;
 
 /// Which side of a polygon the eye sees.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Facing {
     /// Its front.
     Front {
-        /// Newell normal of the outline, eye space: away from the viewer, twice the area long.
+        /// Newell normal of the outline, eye space: away from the viewer; see [`newell_normal`] for its length.
         newell: Vec3,
     },
     /// Its back.
@@ -26,7 +32,7 @@ pub enum Facing {
     },
     /// Neither: the eye lies in its plane, or it has no area.
     EdgeOn,
-    /// A coordinate or the normal is not finite.
+    /// A coordinate is not finite, or so large that sums are not.
     NotFinite,
 }
 
@@ -34,11 +40,14 @@ impl Facing {
     /// The side of `corners` (eye space) that an eye at the origin sees.
     #[must_use]
     pub fn of(corners: &[Vec3]) -> Facing {
+        let largest = largest_coordinate(corners);
+        // Written so that NaN is refused, too.
+        if corners.is_empty() || !(largest <= LARGEST) {
+            return Facing::NotFinite;
+        }
         let newell = newell_normal(corners);
-        let towards = corners.first().map_or(f64::NAN, |&corner| newell.dot(corner));
-        if !newell.is_finite() || !towards.is_finite() {
-            Facing::NotFinite
-        } else if towards > 0.0 {
+        let towards = newell.dot(corners[0] * ordinary_scale(largest));
+        if towards > 0.0 {
             Facing::Front { newell }
         } else if towards < 0.0 {
             Facing::Back { newell }

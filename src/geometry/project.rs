@@ -14,7 +14,7 @@
 
 use super::clip::ClipVertex;
 use super::split::{SplitReport, SplitScratch, split};
-use crate::math::Vec3;
+use crate::math::{Vec3, largest_coordinate, ordinary_scale};
 use crate::plan::{DepthFormat, Interpolation, Plan, Varying};
 use crate::screen::{DepthMapping, DrawList, EdgeKind, Grid, Plane, PolygonRecord, Precision, ScreenVertex, Source};
 
@@ -81,6 +81,7 @@ impl Projector {
     pub fn prepare(&self, plan: &Plan, list: &mut DrawList) {
         list.clear();
         (list.width, list.height) = plan.view.sample_size();
+        list.unit = plan.view.unit;
         list.grid = self.screen.grid;
         list.precision = self.screen.precision;
         list.varying = self.varying;
@@ -275,6 +276,9 @@ impl ScreenMap {
 ///
 /// Written from differences, so that a small triangle far from the origin loses no digits.
 fn linear_over_plane(points: [Vec3; 3], values: [f64; 3]) -> Option<(Vec3, f64)> {
+    // Fourth powers of lengths are divided below.
+    let scale = ordinary_scale(largest_coordinate(&points));
+    let points = points.map(|point| point * scale);
     let (first, second) = (points[1] - points[0], points[2] - points[0]);
     let normal = first.cross(second);
     let squared = normal.length_squared();
@@ -284,7 +288,7 @@ fn linear_over_plane(points: [Vec3; 3], values: [f64; 3]) -> Option<(Vec3, f64)>
     // Gradients of the two barycentric weights that belong to the second and third point.
     let (along_first, along_second) = (second.cross(normal) / squared, normal.cross(first) / squared);
     let g = along_first * (values[1] - values[0]) + along_second * (values[2] - values[0]);
-    Some((g, values[0] - g.dot(points[0])))
+    Some((g * scale, values[0] - g.dot(points[0])))
 }
 
 fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {

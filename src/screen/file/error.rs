@@ -38,6 +38,11 @@ pub enum ScreenWriteError {
     /// Colors were asked for and the list carries nothing (wire).
     #[error("the list carries no colors to write: wire has only edges; make it with another shading")]
     NoColors,
+    /// Distances in scene units leave the range of the numbers.
+    #[error(
+        "the scene is so small or large that 1/w in its units is no number: scale the scene, or give a larger --hither"
+    )]
+    OutOfRange,
     /// Texture coordinates were asked for.
     #[error("the list carries no texture coordinates to write")]
     NoTexture,
