@@ -72,6 +72,7 @@ fn a_power_of_two_changes_no_byte_of_random_scenes() {
             depth: DepthFormat::ALL[seed as usize % 4],
             culling: Culling::None,
             triangles: seed % 5 == 0,
+            subpixel_bits: if seed % 4 == 1 { farop::plan::EXACT_SUBPIXELS } else { 8 },
             ..Choices::default()
         };
         let expected = draw(&original, &choices, &ZBuffer);

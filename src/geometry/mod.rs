@@ -27,11 +27,11 @@ pub use trace::{ClippedPolygon, EyePolygon, Trace};
 
 use crate::math::{Affine3, Vec3};
 use crate::model;
-use crate::plan::{Culling, Plan, Split};
+use crate::plan::{ClipPlane, Culling, Plan, Split};
 use crate::report::Counts;
 use crate::scene::{Mesh, Polygon, Scene, Surface};
 use crate::screen::{DrawList, Source};
-use clip::{ClipVertex, ClipVolume, Clipped, Clipper};
+use clip::{ClipVertex, ClipVolume, Clipped, Clipper, Outcode};
 use light::Lighting;
 use project::Projector;
 use walk::{EyeMesh, Tessellator};
@@ -218,7 +218,9 @@ impl<'a> Geometry<'a> {
             self.counts.add_clipped(part.tessellated);
             return None;
         }
-        Some(any != 0)
+        // Where nothing is snapped, nothing is cut at the sides.
+        let depths = ClipPlane::Hither.bit() | ClipPlane::Yon.bit();
+        Some(any & if self.plan.is_unsnapped() { depths } else { u8::MAX } != 0)
     }
 
     /// Clip: leaves in the projector what lies inside the view volume; `false` when nothing does.
@@ -232,7 +234,8 @@ impl<'a> Geometry<'a> {
         source: Source,
     ) -> bool {
         let volume = ClipVolume { hither: self.plan.view.hither, yon: Some(self.plan.view.yon) };
-        let left = if crossed { self.clipper.clip(corners, &volume, carried) } else { Clipped::Inside };
+        let planes = if self.plan.is_unsnapped() { Outcode::DEPTHS } else { Outcode::ALL };
+        let left = if crossed { self.clipper.clip_by(planes, corners, &volume, carried) } else { Clipped::Inside };
         let vertices = match left {
             Clipped::Inside => corners,
             Clipped::Cut(vertices) => vertices,

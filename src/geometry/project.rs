@@ -61,7 +61,8 @@ impl Projector {
         let screen = ScreenMap {
             half: plan.view.half(),
             scale: plan.view.scale,
-            grid: Grid { bits: choices.subpixel_bits },
+            // Lines lie on a grid, on the finest if nothing is to be snapped.
+            grid: if plan.is_unsnapped() { Grid::EXACT } else { Grid { bits: choices.subpixel_bits.min(16) } },
             precision,
             perspective: choices.interpolation == Interpolation::Perspective,
         };
@@ -254,6 +255,11 @@ impl ScreenMap {
     fn vertex(&self, clip: Vec3, edge: EdgeKind) -> ScreenVertex {
         let (half_width, half_height) = self.half;
         let homogeneous = Vec3::new((clip.z + clip.x) * half_width, (clip.z - clip.y) * half_height, clip.z);
+        if self.grid.is_exact() {
+            // Not held in the picture: it was not clipped to it.
+            let (x, y) = (homogeneous.x / clip.z, homogeneous.y / clip.z);
+            return ScreenVertex { x, y, homogeneous, edge };
+        }
         // Rounding may leave a vertex on the right or lower side a hair outside; snapping brings it back.
         let (x, y) = (self.grid.snap(homogeneous.x / clip.z), self.grid.snap(homogeneous.y / clip.z));
         ScreenVertex { x: x.clamp(0.0, 2.0 * half_width), y: y.clamp(0.0, 2.0 * half_height), homogeneous, edge }

@@ -110,6 +110,9 @@ struct Scale {
 
 impl Scale {
     fn new(list: &DrawList, options: &ClassicOptions) -> Result<Scale, ScreenWriteError> {
+        if list.grid.is_exact() {
+            return Err(ScreenWriteError::Unsnapped);
+        }
         let resolutions = [("z-resolution", options.z_resolution), ("color-resolution", options.color_resolution)];
         for (what, value) in resolutions {
             if !(1..=MAX_RESOLUTION).contains(&value) {

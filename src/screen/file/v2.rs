@@ -50,6 +50,7 @@ impl Attributes {
     /// Whether `list` has what is asked for.
     fn check(self, list: &DrawList) -> Result<(), ScreenWriteError> {
         match list.varying {
+            _ if list.grid.is_exact() => Err(ScreenWriteError::Unsnapped),
             _ if self.texture => Err(ScreenWriteError::NoTexture),
             Varying::Color | Varying::Nothing if self.phong => Err(ScreenWriteError::NoNormals),
             Varying::Nothing if self.color => Err(ScreenWriteError::NoColors),
