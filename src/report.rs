@@ -31,6 +31,8 @@ pub struct Counts {
     pub split: u64,
     /// Polygons dropped because a number in them is not finite, or because they are seen exactly edge-on.
     pub skipped: u64,
+    /// Polygons in view whose outline crosses itself.
+    pub self_crossing: u64,
     /// Ears that had to be forced, in self-crossing outlines.
     pub forced_ears: u64,
     /// The same for polygons that spheres, cones and patches were turned into.

@@ -52,6 +52,7 @@ fn json(rendered: &Rendered) -> serde_json::Value {
         "triangles": counts.triangles,
         "split": counts.split,
         "skipped": counts.skipped,
+        "self_crossing": counts.self_crossing,
         "puts": puts.puts,
         "overdraw": puts.overdraw,
         "stray_writes": puts.stray_writes,
@@ -156,6 +157,9 @@ fn raster_lines(rendered: &Rendered, rasterizer: &str, text: &mut String) -> std
     writeln!(text, "Pipeline: Polygons totally clipped: {}", counts.clipped)?;
     writeln!(text, "Pipeline: Polygons split to triangles: {}", counts.split)?;
     writeln!(text, "Pipeline: Polygons rendered: {}", counts.rendered)?;
+    if counts.self_crossing > 0 {
+        writeln!(text, "Pipeline: Polygons that cross themselves (drawn even-odd): {}", counts.self_crossing)?;
+    }
     let tessellated = counts.tessellated;
     if tessellated.polygons > 0 {
         let (backfacing, clipped, rendered) = (tessellated.backfacing, tessellated.clipped, tessellated.rendered);

@@ -64,6 +64,7 @@ struct Geometry<'a> {
     tessellator: Tessellator,
     polygon: Corners,
     clipper: Clipper,
+    crossing: split::Crossing,
 }
 
 /// The polygon in hand: its corners in eye space, and what varies at them.
@@ -106,6 +107,7 @@ impl<'a> Geometry<'a> {
             tessellator: Tessellator::default(),
             polygon: Corners::default(),
             clipper: Clipper::default(),
+            crossing: split::Crossing::default(),
         }
     }
 
@@ -184,7 +186,9 @@ impl<'a> Geometry<'a> {
             if self.clip(part, &corners.clip, (crossed, carried), source) {
                 let (clipped, clip_from_eye) = (&mut self.projector.clipped, self.projector.clip_from_eye);
                 self.lighting.relight(part.shading, clipped, clip_from_eye, &mut self.list.shader);
-                self.split_and_project(part, &corners.clip, facing, source);
+                let crossing = !part.tessellated && self.crossing.is_in(&corners.eye, facing.newell());
+                self.counts.self_crossing += u64::from(crossing);
+                self.split_and_project(part, &corners.clip, (facing, crossing), source);
             }
         }
         self.polygon = corners;
@@ -258,8 +262,17 @@ impl<'a> Geometry<'a> {
     }
 
     /// Split where the plan says so, and project to the screen.
-    fn split_and_project(&mut self, part: Part<'_>, corners: &[ClipVertex], facing: Facing, source: Source) {
-        let affine = self.lighting.is_affine(corners, &self.projector.clipped);
+    ///
+    /// An outline that crosses itself has no triangles that cover what even-odd covers: it stays whole, if it may, and what
+    /// varies follows its first three corners.
+    fn split_and_project(
+        &mut self,
+        part: Part<'_>,
+        corners: &[ClipVertex],
+        (facing, crossing): (Facing, bool),
+        source: Source,
+    ) {
+        let affine = crossing || self.lighting.is_affine(corners, &self.projector.clipped);
         let split = match self.plan.needs.split {
             Split::All => true,
             Split::NotAffine => !affine,
