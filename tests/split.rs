@@ -693,7 +693,7 @@ fn turned_combs_are_split_like_upright_ones() {
         for angle in [PI / 4.0, 0.3] {
             let turned = time(angle, height);
             assert!(
-                turned < upright * 12 + std::time::Duration::from_millis(500),
+                turned < upright * 5 + std::time::Duration::from_millis(500),
                 "{turned:?} and {upright:?} at {angle}"
             );
         }

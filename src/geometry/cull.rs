@@ -45,8 +45,7 @@ impl Facing {
     #[must_use]
     pub fn of(corners: &[Vec3]) -> Facing {
         let largest = largest_coordinate(corners);
-        // Written so that NaN is refused, too.
-        if corners.is_empty() || !(largest <= LARGEST) {
+        if corners.is_empty() || largest.is_nan() || largest > LARGEST {
             return Facing::NotFinite;
         }
         let scale = ordinary_scale(largest);
