@@ -69,17 +69,74 @@ fn power_of_two_below(x: f64) -> f64 {
     if bits == 0 { f64::MIN_POSITIVE } else { f64::from_bits(bits) }
 }
 
+/// The length of `v`, also where its square would leave the range of `f64`.
+///
+/// ```
+/// use farop::math::{length, Vec3};
+/// assert!((length(Vec3::new(3e200, 0.0, 4e200)) / 5e200 - 1.0).abs() < 1e-15);
+/// ```
+#[must_use]
+pub fn length(v: Vec3) -> f64 {
+    let scale = ordinary_scale(v.abs().max_element());
+    (v * scale).length() / scale
+}
+
+/// A power of two that brings numbers of which `largest` is the largest magnitude near 1, where products of four of them
+/// and of their differences might leave the range of `f64`; 1 for all others. Multiplying by it rounds nothing.
+///
+/// ```
+/// use farop::math::ordinary_scale;
+/// assert_eq!(ordinary_scale(1e30), 1.0);
+/// assert_eq!(1e-200 * ordinary_scale(1e-200), 1e-200 * 664f64.exp2());
+/// ```
+#[must_use]
+pub fn ordinary_scale(largest: f64) -> f64 {
+    // A difference of two numbers near 2^-100 is at least 2^-152 or 0, a cross product of such at least 2^-357 or 0, and
+    // even its square is far above 2^-1022.
+    const LEAST: f64 = f64::from_bits((1023 - 100) << 52);
+    if (LEAST..=1.0 / LEAST).contains(&largest) || largest == 0.0 || !largest.is_finite() {
+        return 1.0;
+    }
+    power_of_two_below(1.0 / largest)
+}
+
+/// The exponent of the largest power of two that is not above a positive finite `x`.
+///
+/// ```
+/// assert_eq!([0.75, 1.0, 5e-324].map(farop::math::exponent), [-1, 0, -1074]);
+/// ```
+#[must_use]
+pub fn exponent(x: f64) -> i64 {
+    let (biased, fraction) = ((x.to_bits() >> 52) as i64 & 0x7FF, x.to_bits() & ((1 << 52) - 1));
+    if biased == 0 { 63 - i64::from(fraction.leading_zeros()) - 1074 } else { biased - 1023 }
+}
+
+/// The largest magnitude of any coordinate; NaN where one is not a number.
+#[must_use]
+pub fn largest_coordinate(points: &[Vec3]) -> f64 {
+    // Not f64::max, which passes over NaN.
+    let larger = |largest: f64, x: f64| if x <= largest { largest } else { x };
+    points.iter().fold(0.0, |largest, p| larger(larger(larger(largest, p.x.abs()), p.y.abs()), p.z.abs()))
+}
+
 /// The Newell normal of an outline: not unit, its length is twice the enclosed area.
 ///
 /// Counterclockwise outlines, seen from the tip of the normal, give a positive area. Unlike the cross product
 /// of the first two edges it stays right when the first three vertices are collinear or the corner is reflex.
 /// Differences are taken from the first vertex, so that a small polygon far from the origin loses no digits.
+/// Where coordinates are so large or small that the area may leave the range of `f64` ([`ordinary_scale`]), it is the
+/// normal of the outline scaled by that power of two: the direction is the same.
 /// Source: Sutherland, Sproull and Schumacker, "A Characterization of Ten Hidden-Surface Algorithms",
 /// ACM Computing Surveys 6(1), 1974, who credit M. Newell.
 #[must_use]
 pub fn newell_normal(outline: &[Vec3]) -> Vec3 {
     let Some(&origin) = outline.first() else { return Vec3::ZERO };
-    edges(outline).map(|(&a, &b)| (a - origin).cross(b - origin)).sum()
+    let scale = ordinary_scale(largest_coordinate(outline));
+    if scale == 1.0 {
+        return edges(outline).map(|(&a, &b)| (a - origin).cross(b - origin)).sum();
+    }
+    let from_origin = |p: Vec3| p * scale - origin * scale;
+    edges(outline).map(|(&a, &b)| from_origin(a).cross(from_origin(b))).sum()
 }
 
 #[cfg(test)]

@@ -36,6 +36,8 @@ pub struct Counts {
     /// along the shorter diagonal. `tessellated.polygons` counts such a quad once; its two triangles are then culled, clipped and
     /// rendered each for itself, so tessellated polygons + nonplanar = backfacing + clipped + rendered (+ skipped).
     pub nonplanar: u64,
+    /// Polygons in view whose outline crosses itself.
+    pub self_crossing: u64,
     /// Ears that had to be forced, in self-crossing outlines.
     pub forced_ears: u64,
     /// The same for polygons that shapes were turned into.

@@ -1,7 +1,7 @@
 //! Splitting: whatever the outline, n - 2 triangles that turn its way, cover it once and leave no edge unmatched.
 
 use farop::geometry::clip::{ClipVertex, ClipVolume, Clipped, Clipper};
-use farop::geometry::split::{SplitReport, SplitScratch, split};
+use farop::geometry::split::{Crossing, SplitReport, SplitScratch, split};
 use farop::math::{PI, Vec3, cos, edges, sin};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -587,5 +587,115 @@ fn bridged_teeth(teeth: i64) -> Vec<Point> {
 fn bridges_are_covered() {
     for teeth in [1, 2, 3, 50] {
         assert_covers(&bridged_teeth(teeth));
+    }
+}
+
+fn is_crossing(outline: &[Point]) -> bool {
+    Crossing::default().is_in(&in_space(outline), Vec3::Z)
+}
+
+/// By every pair of edges and every pair of corners; `None` where chains run along each other, which is not decided here.
+fn crosses_by_pairs(outline: &[Point]) -> Option<bool> {
+    let n = outline.len();
+    let edge = |i: usize| [outline[i % n], outline[(i + 1) % n]];
+    let mut found = crosses_at_a_vertex(outline);
+    for i in 0..n {
+        for j in 0..n {
+            if i == j {
+                continue;
+            }
+            if overlap(edge(i), edge(j)) || overlap(edge(j), edge(i)) {
+                return None;
+            }
+            let [a, b] = edge(i);
+            let (before, at, after) = (outline[(j + n - 1) % n], outline[j], outline[(j + 1) % n]);
+            let sides = doubled_area([a, b, before]).signum() * doubled_area([a, b, after]).signum();
+            found |= cross(edge(i), edge(j)) || (is_within(edge(i), at) && sides < 0);
+        }
+    }
+    Some(found)
+}
+
+#[test]
+fn every_crossing_is_seen_and_no_touch_is_taken_for_one() {
+    let mut random = Random(2026);
+    let mut met = [0, 0];
+    for round in 0..12_000 {
+        // Few corners take the short way, many the sweep; coarse grids make corners meet edges and each other.
+        let (count, grid) =
+            if round % 3 == 0 { (33 + random.below(20), 400) } else { (4 + random.below(6), 3 + random.below(12)) };
+        let mut outline: Vec<Point> = (0..count).map(|_| random.point(grid)).collect();
+        if round % 4 == 0 {
+            // Ordered around the middle, most do not cross; one corner moved, some do.
+            let middle = grid as f64 / 2.0;
+            let angle = |p: &Point| (p.1 as f64 - middle).atan2(p.0 as f64 - middle);
+            outline.sort_by(|a, b| angle(a).total_cmp(&angle(b)));
+            let (at, to) = (random.below(count), random.point(grid));
+            outline[at] = to;
+        }
+        outline.dedup();
+        if outline.len() < 4 || outline.first() == outline.last() {
+            continue;
+        }
+        if let Some(crosses) = crosses_by_pairs(&outline) {
+            assert_eq!(is_crossing(&outline), crosses, "{outline:?}");
+            met[usize::from(crosses)] += 1;
+        }
+    }
+    assert!(met[0] > 500 && met[1] > 3_000, "{met:?}");
+    // Rings that touch themselves in every way, and outlines without area.
+    let mut rings = 0;
+    while rings < 3_000 {
+        let (grid, vertices) = (3 + random.below(8), 4 + random.below(48));
+        let ring = weakly_simple_ring(&mut random, grid, vertices);
+        if !crosses_at_a_vertex(&ring) {
+            rings += 1;
+            assert!(!is_crossing(&ring), "{ring:?}");
+        }
+    }
+    for outline in
+        [bridged_teeth(50), comb(30, 9), spiral(20), hilbert(4), vec![(3, 3); 9], (0..9).map(|i| (i, 2 * i)).collect()]
+    {
+        assert!(!is_crossing(&outline), "{outline:?}");
+    }
+}
+
+/// A comb of about `corners` corners, turned by an angle.
+fn turned_comb(corners: i64, height: i64, angle: f64) -> Vec<Vec3> {
+    let (c, s) = (cos(angle), sin(angle));
+    comb(corners / 4, height)
+        .iter()
+        .map(|&(x, y)| (x as f64, y as f64))
+        .map(|(x, y)| Vec3::new(x * c - y * s, x * s + y * c, 1.0))
+        .collect()
+}
+
+#[test]
+fn turned_combs_are_split_like_upright_ones() {
+    // Counted in time, with much room: without turning the boxes, 100,000 corners at 45 degrees take minutes.
+    let corners = std::env::var("FAROP_CORNERS").ok().and_then(|count| count.parse().ok()).unwrap_or(60_000);
+    let time = |angle: f64, height: i64| {
+        let outline = turned_comb(corners, height, angle);
+        let start = std::time::Instant::now();
+        let (triangles, report) = split_alone(&outline);
+        let split_time = start.elapsed();
+        assert_eq!((triangles.len(), report.forced), (outline.len() - 2, 0));
+        let start = std::time::Instant::now();
+        assert!(!Crossing::default().is_in(&outline, Vec3::Z));
+        println!(
+            "{corners} corners, height {height}, angle {angle}: split {split_time:?}, crossing {:?}",
+            start.elapsed()
+        );
+        split_time + start.elapsed()
+    };
+    for height in [9, corners / 4] {
+        let upright = time(0.0, height);
+        for angle in [PI / 4.0, 0.3] {
+            let turned = time(angle, height);
+            assert!(
+                turned < upright * 5 + std::time::Duration::from_millis(500),
+                "{turned:?} and {upright:?} at {angle}"
+            );
+        }
     }
 }

@@ -3,8 +3,8 @@
 use crate::color::{Encoding, Rgb};
 use crate::math::Vec3;
 use crate::plan::{
-    AngleSpan, Choices, ClipLight, Culling, DepthFormat, FlatRule, Interpolation, LightTerms, NeedsMode, Shading,
-    Transparency,
+    AngleSpan, Choices, ClipLight, Culling, DepthFormat, EXACT_SUBPIXELS, FlatRule, Interpolation, LightTerms,
+    NeedsMode, Shading, Transparency,
 };
 use crate::scene::{Camera, Light, Place, Scene};
 use clap::Args;
@@ -28,8 +28,8 @@ pub(super) struct PictureOptions {
     /// Fixed tessellation instead: 12 N N triangles a sphere, 8 N a cone; other shapes as with `res N`
     #[arg(long, value_name = "N", conflicts_with = "tolerance")]
     pub resolution: Option<u32>,
-    /// Sub-pixel bits of screen coordinates, 0 to 16; 0 = FAROP's integers
-    #[arg(long, value_name = "BITS", default_value_t = 8)]
+    /// Sub-pixel bits of screen coordinates, 0 to 16; 0 = FAROP's integers; exact = nothing snapped
+    #[arg(long, value_name = "BITS", default_value = "8", value_parser = subpixel_bits)]
     subpixel_bits: u32,
     /// f32, f64, int24 or int16
     #[arg(long, value_name = "FORMAT", default_value = "f32")]
@@ -195,6 +195,14 @@ pub(super) fn size(text: &str) -> Result<(u32, u32), String> {
         text.trim().parse::<u32>().map_err(|_| format!("expected WxH or N, as in 640x480; found `{text}`"))
     };
     Ok((number(width)?, number(height)?))
+}
+
+/// A number, or `exact`.
+fn subpixel_bits(text: &str) -> Result<u32, String> {
+    match text {
+        "exact" => Ok(EXACT_SUBPIXELS),
+        _ => text.parse().map_err(|_| "expected a whole number from 0 to 16, or `exact`".to_string()),
+    }
 }
 
 pub(super) fn encoding(text: &str) -> Result<Encoding, String> {

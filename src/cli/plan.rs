@@ -3,7 +3,7 @@
 use super::error::{self, CliError};
 use super::options::PictureOptions;
 use super::scenes::{SceneOptions, as_rasterizer, find_rasterizer, make_plan};
-use crate::plan::{Plan, PlanRow};
+use crate::plan::{EXACT_SUBPIXELS, Plan, PlanRow};
 use crate::raster::Registry;
 use clap::Args;
 
@@ -51,10 +51,13 @@ pub(super) fn text(plan: &Plan) -> String {
     let (width, height) = plan.view.pixels;
     let choices = &plan.choices;
     let mut text = format!(
-        "picture    {width}x{height} pixels of {0} x {0} samples, {1} shading, {2} sub-pixel bits\n",
+        "picture    {width}x{height} pixels of {0} x {0} samples, {1} shading, {2}\n",
         choices.samples,
         choices.shading.name(),
-        choices.subpixel_bits
+        match choices.subpixel_bits {
+            EXACT_SUBPIXELS => "nothing snapped".to_string(),
+            bits => format!("{bits} sub-pixel bits"),
+        }
     );
     text += &light_line(plan);
     let rows = plan.explain();

@@ -56,6 +56,9 @@ impl StageName {
                 let plan = Plan::new(scene, choices, accepts)?;
                 let (mut list, mut trace) = (DrawList::new(0, 0), Trace::default());
                 let _ = geometry::run_traced(scene, &plan, &mut list, &mut trace);
+                if list.unit != 1.0 {
+                    let _ = writeln!(text, "unit of eye space: {} scene units", list.unit);
+                }
                 match self {
                     StageName::Eye => eye_text(&trace, &mut text),
                     StageName::Clip => clip_text(&trace, &mut text),

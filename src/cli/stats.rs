@@ -56,6 +56,7 @@ fn json(rendered: &Rendered) -> serde_json::Value {
         "split": counts.split,
         "skipped": counts.skipped,
         "nonplanar": counts.nonplanar,
+        "self_crossing": counts.self_crossing,
         "puts": puts.puts,
         "overdraw": puts.overdraw,
         "stray_writes": puts.stray_writes,
@@ -140,7 +141,7 @@ fn geometry_lines(rendered: &Rendered, output: Option<&Path>, text: &mut String)
     let (plan, counts, times) = (&rendered.plan, &rendered.counts, &rendered.times);
     let (width, height) = plan.view.pixels;
     let resolution = format!("{width},{height},{},256", plan.choices.depth.name());
-    let (hither, yon) = (plan.view.hither, plan.view.yon);
+    let (hither, yon) = (plan.view.hither * plan.view.unit, plan.view.yon * plan.view.unit);
     writeln!(text, "Pipeline: Hither:{hither:.2}, Yon:{yon:.2}, Resolution(X,Y,Z,Color):{resolution}")?;
     writeln!(text, "Pipeline: Pipeline creating render data, wait...")?;
     writeln!(text, "Timer started")?;
@@ -175,6 +176,9 @@ fn raster_lines(rendered: &Rendered, rasterizer: &str, text: &mut String) -> std
     writeln!(text, "Pipeline: Polygons totally clipped: {}", counts.clipped)?;
     writeln!(text, "Pipeline: Polygons split to triangles: {}", counts.split)?;
     writeln!(text, "Pipeline: Polygons rendered: {}", counts.rendered)?;
+    if counts.self_crossing > 0 {
+        writeln!(text, "Pipeline: Polygons that cross themselves (drawn even-odd): {}", counts.self_crossing)?;
+    }
     let tessellated = counts.tessellated;
     if tessellated.polygons > 0 {
         let (backfacing, clipped, rendered) = (tessellated.backfacing, tessellated.clipped, tessellated.rendered);

@@ -155,7 +155,10 @@ impl SuiteCommand {
             "seed": self.seed,
             "options": {
                 "samples": choices.samples,
-                "subpixel_bits": choices.subpixel_bits,
+                "subpixel_bits": match choices.subpixel_bits {
+                    crate::plan::EXACT_SUBPIXELS => serde_json::Value::from("exact"),
+                    bits => bits.into(),
+                },
                 "triangles": choices.triangles,
                 "culling": choices.culling.name(),
                 "depth": choices.depth.name(),

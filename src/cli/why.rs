@@ -89,8 +89,9 @@ impl Context<'_> {
         let surface = &self.rendered.list.shader.surfaces[candidate.surface as usize];
         let line = crate::scene::Place { line: candidate.source.line, ..surface.place };
         let piece = if candidate.source.tessellated { " (piece of a shape)" } else { "" };
+        let depth = self.rendered.list.depth_in_scene_units(candidate.depth);
         let (place, color) = (self.scene.describe(line), self.levels(candidate.color));
-        write!(text, "  polygon {}, {place}{piece}: depth {}, color {color}", candidate.polygon, candidate.depth)?;
+        write!(text, "  polygon {}, {place}{piece}: depth {depth}, color {color}", candidate.polygon)?;
         if candidate.opacity != Rgb::gray(1.0) {
             write!(text, ", opacity {:?}", candidate.opacity.to_array())?;
         }
@@ -113,9 +114,9 @@ impl Context<'_> {
         let canvas = Canvas::new(self.scene, self.choices);
         let Some(drawn) = why::drawn(&self.rendered.list, rasterizer, &canvas, sample) else { return Ok(()) };
         let expected = explanation.winner.map(|index| explanation.candidates[index].polygon);
-        let what = drawn
-            .polygon
-            .map_or("nothing opaque".to_string(), |polygon| format!("polygon {polygon} at depth {}", drawn.depth));
+        let depth = self.rendered.list.depth_in_scene_units(drawn.depth);
+        let what =
+            drawn.polygon.map_or("nothing opaque".to_string(), |polygon| format!("polygon {polygon} at depth {depth}"));
         let verdict = if drawn.polygon == expected { "as the rules say" } else { "NOT what the rules say" };
         writeln!(text, "  the rasterizer put {what}, {verdict}; color {}", self.levels(drawn.color))
     }

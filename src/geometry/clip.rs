@@ -86,6 +86,10 @@ enum Plane {
 
 impl Outcode {
     const NOT_FINITE: u8 = 1 << 6;
+    /// Hither and yon, without the sides of the picture.
+    pub const DEPTHS: Outcode = Outcode(1 | 1 << 5);
+    /// Every plane.
+    pub const ALL: Outcode = Outcode(u8::MAX);
 
     /// Whether the point is inside all planes.
     #[must_use]
@@ -137,6 +141,18 @@ impl Clipper {
     /// Winding is kept. A concave polygon that falls into pieces stays one outline, its pieces joined by edges that run
     /// to and fro on the plane. What only touches a plane from outside, with no area inside, is outside.
     pub fn clip(&mut self, polygon: &[ClipVertex], volume: &ClipVolume, attributes: usize) -> Clipped<'_> {
+        self.clip_by(Outcode::ALL, polygon, volume, attributes)
+    }
+
+    /// As [`Clipper::clip`], by some of the planes only: what lies wholly outside one of the others is outside, too, but nothing
+    /// is cut by them.
+    pub fn clip_by(
+        &mut self,
+        planes: Outcode,
+        polygon: &[ClipVertex],
+        volume: &ClipVolume,
+        attributes: usize,
+    ) -> Clipped<'_> {
         // Let the outcodes settle the many that need no cutting.
         let mut any = Outcode::default();
         let mut all = Outcode(u8::MAX);
@@ -151,6 +167,7 @@ impl Clipper {
         if !all.is_inside() || polygon.len() < 3 {
             return Clipped::Outside;
         }
+        any = any & planes;
         if any.is_inside() {
             return Clipped::Inside;
         }

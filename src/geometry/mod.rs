@@ -27,11 +27,11 @@ pub use trace::{ClippedPolygon, EyePolygon, Trace};
 
 use crate::math::{Affine3, Vec3};
 use crate::model;
-use crate::plan::{Culling, Plan, Split};
+use crate::plan::{ClipPlane, Culling, Plan, Split};
 use crate::report::Counts;
 use crate::scene::{Mesh, Polygon, Scene, Surface};
 use crate::screen::{DrawList, Source};
-use clip::{ClipVertex, ClipVolume, Clipped, Clipper};
+use clip::{ClipVertex, ClipVolume, Clipped, Clipper, Outcode};
 use light::Lighting;
 use project::Projector;
 use walk::{EyeMesh, Tessellator};
@@ -64,6 +64,7 @@ struct Geometry<'a> {
     tessellator: Tessellator,
     polygon: Corners,
     clipper: Clipper,
+    crossing: split::Crossing,
 }
 
 /// The polygon in hand: its corners in eye space, and what varies at them.
@@ -106,6 +107,7 @@ impl<'a> Geometry<'a> {
             tessellator: Tessellator::default(),
             polygon: Corners::default(),
             clipper: Clipper::default(),
+            crossing: split::Crossing::default(),
         }
     }
 
@@ -197,7 +199,9 @@ impl<'a> Geometry<'a> {
             if self.clip(part, &corners.clip, (crossed, carried), source) {
                 let (clipped, clip_from_eye) = (&mut self.projector.clipped, self.projector.clip_from_eye);
                 self.lighting.relight(part.shading, clipped, clip_from_eye, &mut self.list.shader);
-                self.split_and_project(part, &corners.clip, facing, source);
+                let crossing = !part.tessellated && self.crossing.is_in(&corners.eye, facing.newell());
+                self.counts.self_crossing += u64::from(crossing);
+                self.split_and_project(part, &corners.clip, (facing, crossing), source);
             }
         }
         self.polygon = corners;
@@ -231,7 +235,9 @@ impl<'a> Geometry<'a> {
             self.counts.add_clipped(part.tessellated);
             return None;
         }
-        Some(any != 0)
+        // Where nothing is snapped, nothing is cut at the sides.
+        let depths = ClipPlane::Hither.bit() | ClipPlane::Yon.bit();
+        Some(any & if self.plan.is_unsnapped() { depths } else { u8::MAX } != 0)
     }
 
     /// Clip: leaves in the projector what lies inside the view volume; `false` when nothing does.
@@ -245,7 +251,8 @@ impl<'a> Geometry<'a> {
         source: Source,
     ) -> bool {
         let volume = ClipVolume { hither: self.plan.view.hither, yon: Some(self.plan.view.yon) };
-        let left = if crossed { self.clipper.clip(corners, &volume, carried) } else { Clipped::Inside };
+        let planes = if self.plan.is_unsnapped() { Outcode::DEPTHS } else { Outcode::ALL };
+        let left = if crossed { self.clipper.clip_by(planes, corners, &volume, carried) } else { Clipped::Inside };
         let vertices = match left {
             Clipped::Inside => corners,
             Clipped::Cut(vertices) => vertices,
@@ -268,8 +275,17 @@ impl<'a> Geometry<'a> {
     }
 
     /// Split where the plan says so, and project to the screen.
-    fn split_and_project(&mut self, part: Part<'_>, corners: &[ClipVertex], facing: Facing, source: Source) {
-        let affine = self.lighting.is_affine(corners, &self.projector.clipped);
+    ///
+    /// An outline that crosses itself has no triangles that cover what even-odd covers: it stays whole, if it may, and what
+    /// varies follows its first three corners.
+    fn split_and_project(
+        &mut self,
+        part: Part<'_>,
+        corners: &[ClipVertex],
+        (facing, crossing): (Facing, bool),
+        source: Source,
+    ) {
+        let affine = crossing || self.lighting.is_affine(corners, &self.projector.clipped);
         let split = match self.plan.needs.split {
             Split::All => true,
             Split::NotAffine => !affine,

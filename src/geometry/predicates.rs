@@ -1,6 +1,6 @@
 //! Predicates: which way do three points turn? The answer is exact for every finite `f64`.
 //!
-//! SPLIT asks it of every corner and every ear. One wrong sign among a million makes two triangles overlap,
+//! SPLIT asks it of every corner and every ear; coverage without a grid asks the same of edges and sample centers. One wrong sign among a million makes two triangles overlap,
 //! so "nearly right" is not enough; with exact signs the algorithms above need no epsilon at all.
 //!
 //! Why two steps: the plain formula in `f64`, with a bound on its own error, decides nearly every case. What it
@@ -14,7 +14,7 @@
 //! Rechnens", 1976 (the long accumulator).
 //! Cost: 2 products and 7 sums; in the rare second step, 6 long products and two numbers of 66 words.
 
-use crate::math::Vec2;
+use crate::math::{Vec2, Vec3};
 use std::cmp::Ordering;
 
 /// How three points turn, with x to the right and y up.
@@ -89,7 +89,26 @@ fn compare_exactly(a: Vec2, b: Vec2, c: Vec2) -> Ordering {
     for (p, q) in [(a, b), (b, c), (c, a)] {
         for (s, t, opposite) in [(p.x, q.y, false), (p.y, q.x, true)] {
             let is_negative = s.is_sign_negative() ^ t.is_sign_negative() ^ opposite;
-            if is_negative { negative.add_product(s, t) } else { positive.add_product(s, t) }
+            if is_negative { negative.add_product(s, t, 1) } else { positive.add_product(s, t, 1) }
+        }
+    }
+    positive.cmp(&negative)
+}
+
+/// On which side of the line through two homogeneous points a third one lies: the sign of the determinant of `a`, `b` and the
+/// whole numbers `c`, as if computed without rounding.
+///
+/// Exact for every finite coordinate and `c` below 2^24; no filter, so for callers that have one.
+#[must_use]
+pub fn edge_side(a: Vec3, b: Vec3, c: [i32; 3]) -> Ordering {
+    let mut positive = LongSum::ZERO;
+    let mut negative = LongSum::ZERO;
+    let minors = [(a.y, b.z, b.y, a.z), (a.z, b.x, b.z, a.x), (a.x, b.y, b.x, a.y)];
+    for ((p, q, r, s), factor) in minors.into_iter().zip(c) {
+        for (x, y, opposite) in [(p, q, false), (r, s, true)] {
+            let is_negative = x.is_sign_negative() ^ y.is_sign_negative() ^ opposite ^ (factor < 0);
+            let sum = if is_negative { &mut negative } else { &mut positive };
+            sum.add_product(x, y, factor.unsigned_abs());
         }
     }
     positive.cmp(&negative)
@@ -97,21 +116,29 @@ fn compare_exactly(a: Vec2, b: Vec2, c: Vec2) -> Ordering {
 
 /// A sum of products of `f64` magnitudes, held as one integer in units of 2^-2148, lowest word first.
 ///
-/// The largest product, `f64::MAX` squared, ends at bit 4196; a few of them stay below bit 4224 = 66 * 64.
+/// The largest product, `f64::MAX` squared times 2^24, ends at bit 4220; a few of them stay below bit 4224 = 66 * 64.
 #[derive(PartialEq, Eq)]
 struct LongSum([u64; 66]);
 
 impl LongSum {
     const ZERO: LongSum = LongSum([0; 66]);
 
-    /// Adds |s| * |t|.
-    fn add_product(&mut self, s: f64, t: f64) {
+    /// Adds |s| * |t| * `factor`; the factor is below 2^24.
+    fn add_product(&mut self, s: f64, t: f64, factor: u32) {
         let (s, s_shift) = integer_and_shift(s);
         let (t, t_shift) = integer_and_shift(t);
 
-        // Two integers of 53 bits give 106 bits; moved within a word they touch three words.
-        let product = u128::from(s) * u128::from(t);
+        // An integer of 77 bits in two halves of 53 and 24, each times one of 53 bits; then moved within a word, into three words.
+        let s = u128::from(s) * u128::from(factor);
+        let (below, above) = ((s & ((1 << 53) - 1)) * u128::from(t), (s >> 53) * u128::from(t));
         let (word, bits) = ((s_shift + t_shift) / 64, (s_shift + t_shift) % 64);
+        self.add_moved(below, word, bits);
+        let (word, bits) = ((s_shift + t_shift + 53) / 64, (s_shift + t_shift + 53) % 64);
+        self.add_moved(above, word, bits);
+    }
+
+    /// Adds an integer of up to 106 bits, moved up by `word` words and `bits` bits.
+    fn add_moved(&mut self, product: u128, word: usize, bits: usize) {
         let low = product << bits;
         let high = if bits == 0 { 0 } else { (product >> (128 - bits)) as u64 };
 

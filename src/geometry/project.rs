@@ -14,7 +14,7 @@
 
 use super::clip::ClipVertex;
 use super::split::{SplitReport, SplitScratch, split};
-use crate::math::Vec3;
+use crate::math::{Vec3, largest_coordinate, ordinary_scale};
 use crate::plan::{DepthFormat, Interpolation, Plan, Varying};
 use crate::screen::{DepthMapping, DrawList, EdgeKind, Grid, Plane, PolygonRecord, Precision, ScreenVertex, Source};
 
@@ -62,7 +62,8 @@ impl Projector {
         let screen = ScreenMap {
             half: plan.view.half(),
             scale: plan.view.scale,
-            grid: Grid { bits: choices.subpixel_bits },
+            // Lines lie on a grid, on the finest if nothing is to be snapped.
+            grid: if plan.is_unsnapped() { Grid::EXACT } else { Grid { bits: choices.subpixel_bits.min(16) } },
             precision,
             perspective: choices.interpolation == Interpolation::Perspective,
         };
@@ -83,6 +84,7 @@ impl Projector {
     pub fn prepare(&self, plan: &Plan, list: &mut DrawList) {
         list.clear();
         (list.width, list.height) = plan.view.sample_size();
+        list.unit = plan.view.unit;
         list.grid = self.screen.grid;
         list.precision = self.screen.precision;
         list.varying = self.varying;
@@ -269,6 +271,11 @@ impl ScreenMap {
     fn vertex(&self, clip: Vec3, edge: EdgeKind) -> ScreenVertex {
         let (half_width, half_height) = self.half;
         let homogeneous = Vec3::new((clip.z + clip.x) * half_width, (clip.z - clip.y) * half_height, clip.z);
+        if self.grid.is_exact() {
+            // Not held in the picture: it was not clipped to it.
+            let (x, y) = (homogeneous.x / clip.z, homogeneous.y / clip.z);
+            return ScreenVertex { x, y, homogeneous, edge };
+        }
         // Rounding may leave a vertex on the right or lower side a hair outside; snapping brings it back.
         let (x, y) = (self.grid.snap(homogeneous.x / clip.z), self.grid.snap(homogeneous.y / clip.z));
         ScreenVertex { x: x.clamp(0.0, 2.0 * half_width), y: y.clamp(0.0, 2.0 * half_height), homogeneous, edge }
@@ -291,6 +298,9 @@ impl ScreenMap {
 ///
 /// Written from differences, so that a small triangle far from the origin loses no digits.
 fn linear_over_plane(points: [Vec3; 3], values: [f64; 3]) -> Option<(Vec3, f64)> {
+    // Fourth powers of lengths are divided below.
+    let scale = ordinary_scale(largest_coordinate(&points));
+    let points = points.map(|point| point * scale);
     let (first, second) = (points[1] - points[0], points[2] - points[0]);
     let normal = first.cross(second);
     let squared = normal.length_squared();
@@ -300,7 +310,7 @@ fn linear_over_plane(points: [Vec3; 3], values: [f64; 3]) -> Option<(Vec3, f64)>
     // Gradients of the two barycentric weights that belong to the second and third point.
     let (along_first, along_second) = (second.cross(normal) / squared, normal.cross(first) / squared);
     let g = along_first * (values[1] - values[0]) + along_second * (values[2] - values[0]);
-    Some((g, values[0] - g.dot(points[0])))
+    Some((g * scale, values[0] - g.dot(points[0])))
 }
 
 fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {

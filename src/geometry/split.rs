@@ -27,10 +27,13 @@
 //! Cost: O(n log n) for n vertices, about 1 microsecond a triangle at a million; more where long thin ears pass close to
 //! slanted rows of vertices. Nothing is allocated once the scratch has grown.
 
+mod crossing;
 mod fit;
 mod obstacles;
 mod plane;
 mod queue;
+
+pub use crossing::Crossing;
 
 use crate::geometry::predicates::{Orientation, orientation};
 use crate::math::{Vec2, Vec3};

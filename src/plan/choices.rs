@@ -5,6 +5,9 @@
 
 use crate::color::Encoding;
 
+/// In the place of sub-pixel bits: screen coordinates keep all of theirs, nothing is snapped.
+pub const EXACT_SUBPIXELS: u32 = u32::MAX;
+
 /// All choices of one picture. `Default` is what the command line does without options.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Choices {
@@ -18,7 +21,7 @@ pub struct Choices {
     pub tolerance: f64,
     /// Fixed tessellation instead of `tolerance`: n of the standard procedural databases, SIPP's `res` for other shapes. The file's own number wins.
     pub resolution: Option<u32>,
-    /// Bits of a sample that screen coordinates keep: 0 (FAROP's integers) to 16.
+    /// Bits of a sample that screen coordinates keep: 0 (FAROP's integers) to 16, or [`EXACT_SUBPIXELS`].
     pub subpixel_bits: u32,
     /// How depth is kept.
     pub depth: DepthFormat,

@@ -56,7 +56,7 @@ pub enum PlanError {
         samples: u32,
     },
     /// More sub-pixel bits than coordinates can be exact for.
-    #[error("{0} sub-pixel bits: choose 0 to 16")]
+    #[error("{0} sub-pixel bits: choose 0 to 16, or exact")]
     SubpixelBits(u32),
     /// Integer depth needs a far plane.
     #[error("--depth {0} counts steps between hither and yon: give --yon")]

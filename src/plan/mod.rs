@@ -13,8 +13,8 @@ mod needs;
 mod view;
 
 pub use choices::{
-    AngleSpan, Choices, ClipLight, Culling, DepthFormat, FlatRule, Interpolation, LightTerms, NeedsMode, Shading,
-    Transparency,
+    AngleSpan, Choices, ClipLight, Culling, DepthFormat, EXACT_SUBPIXELS, FlatRule, Interpolation, LightTerms,
+    NeedsMode, Shading, Transparency,
 };
 pub use error::PlanError;
 pub use explain::PlanRow;
@@ -104,6 +104,12 @@ impl Plan {
         })
     }
 
+    /// Whether nothing is snapped, and so nothing clipped at the sides of the picture. Lines always lie on a grid.
+    #[must_use]
+    pub fn is_unsnapped(&self) -> bool {
+        self.choices.subpixel_bits == EXACT_SUBPIXELS && self.choices.shading != Shading::Wire
+    }
+
     /// What interpolation carries under this shading.
     #[must_use]
     pub fn varying(&self) -> Varying {
@@ -116,7 +122,7 @@ impl Plan {
 }
 
 fn check(choices: &Choices) -> Result<(), PlanError> {
-    if choices.subpixel_bits > 16 {
+    if choices.subpixel_bits > 16 && choices.subpixel_bits != EXACT_SUBPIXELS {
         return Err(PlanError::SubpixelBits(choices.subpixel_bits));
     }
     if !(choices.tolerance > 0.0 && choices.tolerance.is_finite()) {

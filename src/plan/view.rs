@@ -5,10 +5,14 @@
 //!
 //! Why world minus eye first: both may be 1e8 large and the detail 1 small. The difference of two nearby `f64` is
 //! exact; a matrix with the eye's position folded in would round at the size of the world.
+//!
+//! Why a unit: depth is 1/w, and in single precision 1/w has no room below 1e-45 and above 3e38. In a scene whose hither is
+//! that small or large, eye space is measured in another unit, a power of two, so that nothing is rounded. In all
+//! others the unit is 1 (`docs/decisions/0012-eye-space-has-a-unit.md`).
 
 use super::PlanError;
 use super::choices::{AngleSpan, Choices};
-use crate::math::{Affine3, Mat3, Vec3, radians, tan, unit};
+use crate::math::{Affine3, Mat3, Vec3, length, radians, tan, unit};
 use crate::scene::Camera;
 
 /// A camera made ready: orientation, planes, and the scale from eye space to samples.
@@ -18,9 +22,11 @@ pub struct View {
     pub eye: Vec3,
     /// Rows right, up, forward; applies to `world - eye`.
     pub eye_from_world: Mat3,
-    /// Distance of the near plane; above 0.
+    /// Scene units in one unit of eye space: a power of two, and 1 unless hither is extreme.
+    pub unit: f64,
+    /// Distance of the near plane, in units of eye space; above 0.
     pub hither: f64,
-    /// Distance of the far plane; above `hither`, or infinite.
+    /// Distance of the far plane, in units of eye space; above `hither`, or infinite.
     pub yon: f64,
     /// Width and height of the picture in pixels.
     pub pixels: (u32, u32),
@@ -44,7 +50,7 @@ impl View {
         if !(camera.angle > 0.0 && camera.angle < 180.0) {
             return Err(PlanError::Angle(camera.angle));
         }
-        let hither = if camera.hither > 0.0 { camera.hither } else { distance.length() / 1000.0 };
+        let hither = if camera.hither > 0.0 { camera.hither } else { length(distance) / 1000.0 };
         let yon = camera.yon.unwrap_or(f64::INFINITY);
         if !(yon > hither && hither.is_finite()) {
             return Err(PlanError::YonNotBehindHither { hither, yon });
@@ -56,19 +62,22 @@ impl View {
         let scale = span / 2.0 / tan(radians(camera.angle) / 2.0) * f64::from(choices.samples);
         let right = right_of(forward, up);
         let eye_from_world = Mat3::from_cols(right, right.cross(forward), forward).transpose();
-        Ok(View { eye: camera.from, eye_from_world, hither, yon, pixels, samples: choices.samples, scale })
+        let unit = unit_of_eye_space(hither);
+        let (hither, yon) = (hither / unit, yon / unit);
+        Ok(View { eye: camera.from, eye_from_world, unit, hither, yon, pixels, samples: choices.samples, scale })
     }
 
     /// A world point in eye space.
     #[must_use]
     pub fn to_eye(&self, world: Vec3) -> Vec3 {
-        self.eye_from_world * (world - self.eye)
+        self.eye_from_world * ((world - self.eye) * (1.0 / self.unit))
     }
 
     /// The whole map from world to eye space as one matrix, for estimates; [`View::to_eye`] rounds less.
     #[must_use]
     pub fn eye_from_world_affine(&self) -> Affine3 {
-        Affine3::from_mat3_translation(self.eye_from_world, -(self.eye_from_world * self.eye))
+        let per_unit = 1.0 / self.unit;
+        Affine3::from_mat3_translation(self.eye_from_world * per_unit, -(self.eye_from_world * (self.eye * per_unit)))
     }
 
     /// Width and height of the sample grid.
@@ -109,6 +118,20 @@ fn check_size(pixels: (u32, u32), choices: &Choices) -> Result<(), PlanError> {
         return Err(PlanError::TooManySamples { width, height, samples: choices.samples });
     }
     Ok(())
+}
+
+/// The unit that keeps hither between 2^-100 and 2^32. Then 1/w is at most 2^100 and has at least 2^94 below it, in `f32`.
+fn unit_of_eye_space(hither: f64) -> f64 {
+    let power = |exponent: i64| f64::from_bits(((1023 + exponent) as u64) << 52);
+    let (nearest, farthest) = (power(-100), power(32));
+    let exponent = crate::math::exponent(hither);
+    if hither < nearest {
+        power(exponent + 100)
+    } else if hither > farthest {
+        power(exponent - 32)
+    } else {
+        1.0
+    }
 }
 
 /// The picture's x axis. Where `up` lies along the view, the world axis least along it takes its place.
@@ -158,6 +181,21 @@ mod tests {
         let view = View::new(&Camera { up: Vec3::Z, ..camera() }, &Choices::default()).expect("falls back");
         assert!(view.eye_from_world.is_finite());
         assert!((view.eye_from_world.determinant().abs() - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn an_extreme_hither_has_a_unit_of_its_own() {
+        let unit = |hither: f64| {
+            let view = View::new(&Camera { hither, ..camera() }, &Choices::default()).expect("a fine camera");
+            assert_eq!(view.hither * view.unit, hither);
+            (view.unit.log2(), view.hither.log2())
+        };
+        let power = f64::exp2;
+        assert_eq!([1e-30, 1e-3, 1.0, 1e9].map(|hither| unit(hither).0), [0.0; 4]);
+        assert_eq!(
+            [-1074.0, -128.0, 200.0, 1023.0].map(|k| unit(power(k))),
+            [(-974.0, -100.0), (-28.0, -100.0), (168.0, 32.0), (991.0, 32.0)]
+        );
     }
 
     #[test]

@@ -8,12 +8,15 @@
 //! Why whole numbers: vertices lie on a grid, so the crossing of an edge with a scan line is a fraction of whole
 //! numbers, and its ceiling is exact. No slope is ever rounded, nothing drifts.
 //!
+//! Without a grid (`--subpixel-bits exact`) the same question is answered from the homogeneous corners: `exact_edge`.
+//!
 //! Tie rule: a sample is covered when its center is at or right of the left edge, strictly left of the right edge, at or
 //! below the top, strictly above the bottom.
 //!
 //! Space: samples; sample (i, j) has its center at (i + 0.5, j + 0.5).
 //! Cost: one division an edge and scan line.
 
+use super::exact_edge::ExactEdge;
 use crate::math::edges;
 use crate::screen::{Grid, ScreenVertex};
 use std::ops::Range;
@@ -22,12 +25,26 @@ use std::ops::Range;
 type Mark = (i32, i32);
 
 /// Finds covered spans; keeps its memory from polygon to polygon.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Spans {
     marks: Vec<Mark>,
+    columns: Range<i32>,
+}
+
+impl Default for Spans {
+    /// Of polygons that lie inside the picture.
+    fn default() -> Self {
+        Spans { marks: Vec::new(), columns: i32::MIN..i32::MAX }
+    }
 }
 
 impl Spans {
+    /// Finds only what lies in these columns: polygons that are not snapped reach beyond the picture.
+    #[must_use]
+    pub fn within(columns: Range<i32>) -> Spans {
+        Spans { columns, ..Spans::default() }
+    }
+
     /// Calls `span(row, columns)` for every run of covered samples of `outline` in `rows`, from the top row down and from
     /// left to right. Runs are never empty.
     pub fn of(
@@ -43,6 +60,7 @@ impl Spans {
         self.marks.sort_unstable();
         for pair in self.marks.chunks_exact(2) {
             let [(row, first), (_, end)] = [pair[0], pair[1]];
+            let (first, end) = (first.max(self.columns.start), end.min(self.columns.end));
             if first < end {
                 span(row, first..end);
             }
@@ -61,49 +79,71 @@ impl Spans {
     }
 }
 
-/// An edge in grid steps, turned downward, so that it gives the same marks whichever way its polygon walks it.
+/// An edge, turned downward, so that it gives the same marks whichever way its polygon walks it.
 #[derive(Clone, Copy, Debug)]
-pub struct Edge {
-    top: (i64, i64),
-    bottom: (i64, i64),
+pub struct Edge(Ends);
+
+#[derive(Clone, Copy, Debug)]
+enum Ends {
+    /// In grid steps.
+    Snapped {
+        top: (i64, i64),
+        bottom: (i64, i64),
+    },
+    Exact(ExactEdge),
 }
 
 impl Edge {
     /// The edge between two neighboring corners.
     #[must_use]
     pub fn downward(start: &ScreenVertex, end: &ScreenVertex, grid: Grid) -> Edge {
+        if grid.is_exact() {
+            return Edge(Ends::Exact(ExactEdge::downward(start.homogeneous, end.homogeneous)));
+        }
         let (top, bottom) = if start.y <= end.y { (start, end) } else { (end, start) };
         let fixed = |vertex: &ScreenVertex| (grid.fixed(vertex.x), grid.fixed(vertex.y));
-        Edge { top: fixed(top), bottom: fixed(bottom) }
+        Edge(Ends::Snapped { top: fixed(top), bottom: fixed(bottom) })
     }
 
     /// The rows it crosses: centers at or below its top end, strictly above its bottom end; none for horizontal edges.
     #[must_use]
     pub fn rows(&self, grid: Grid) -> Range<i64> {
-        first_center_from(self.top.1, grid)..first_center_from(self.bottom.1, grid)
+        match &self.0 {
+            Ends::Snapped { top, bottom } => first_center_from(top.1, grid)..first_center_from(bottom.1, grid),
+            Ends::Exact(edge) => edge.rows(),
+        }
     }
 
     /// Samples to the right for every row down; infinite for horizontal edges.
     #[must_use]
     pub fn slope(&self) -> f64 {
-        (self.bottom.0 - self.top.0) as f64 / (self.bottom.1 - self.top.1) as f64
+        match &self.0 {
+            Ends::Snapped { top, bottom } => (bottom.0 - top.0) as f64 / (bottom.1 - top.1) as f64,
+            Ends::Exact(edge) => edge.slope(),
+        }
     }
 
     /// Where it crosses the center line of `row`, in samples. Rounded: good for values, never for coverage.
     #[must_use]
     pub fn crossing(&self, row: i64, grid: Grid) -> f64 {
-        let steps = grid.steps() as f64;
-        let down = (row as f64 + 0.5) * steps - self.top.1 as f64;
-        (self.top.0 as f64 + down * self.slope()) / steps
+        let top = match &self.0 {
+            Ends::Snapped { top, .. } => [top.0, top.1].map(|fixed| fixed as f64 / grid.steps() as f64),
+            Ends::Exact(edge) => edge.start(),
+        };
+        top[0] + (row as f64 + 0.5 - top[1]) * self.slope()
     }
 
     /// The first column whose center is at or right of the edge on the center line of `row`.
     #[must_use]
     pub fn first_column(&self, row: i64, grid: Grid) -> i64 {
-        let (dx, dy) = (self.bottom.0 - self.top.0, self.bottom.1 - self.top.1);
+        let (top, bottom) = match &self.0 {
+            Ends::Snapped { top, bottom } => (*top, *bottom),
+            Ends::Exact(edge) => return edge.first_column(row),
+        };
+        let (dx, dy) = (bottom.0 - top.0, bottom.1 - top.1);
         // All in half grid steps, where centers are whole numbers even for a grid of whole samples.
-        let down = (2 * row + 1) * grid.steps() - 2 * self.top.1;
-        let right = 2 * self.top.0 - grid.steps();
+        let down = (2 * row + 1) * grid.steps() - 2 * top.1;
+        let right = 2 * top.0 - grid.steps();
         // The crossing is at x = top.x + down dx / (2 dy); the column is the ceiling of (2 x - steps) / (2 steps).
         if grid.bits <= 8 {
             // At most 2^22 samples of 2^8 steps: the numerator stays below 2^63 (`the_largest_picture_does_not_overflow`).

@@ -7,6 +7,7 @@
 //! and both are plugged in through the [`Registry`].
 
 pub mod coverage;
+mod exact_edge;
 mod layers;
 mod registry;
 mod scanline;

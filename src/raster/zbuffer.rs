@@ -28,7 +28,7 @@ impl Rasterizer for ZBuffer {
 }
 
 fn draw_rows(list: &DrawList, target: &mut Target<'_>) {
-    let mut spans = Spans::default();
+    let mut spans = Spans::within(0..target.width());
     for polygon in list.polygons() {
         spans.of(polygon.vertices(), list.grid, target.row_range(), |row, columns| {
             for column in columns {

@@ -13,6 +13,8 @@ pub struct DrawList {
     pub width: u32,
     /// Samples down.
     pub height: u32,
+    /// Scene units in one unit of eye space, a power of two: 1 unless hither is extreme. Depth, w and eye points are in it.
+    pub unit: f64,
     /// What vertices are snapped to.
     pub grid: Grid,
     /// What varies over a polygon.
@@ -97,6 +99,7 @@ impl DrawList {
         DrawList {
             width,
             height,
+            unit: 1.0,
             grid: Grid { bits: 8 },
             varying: Varying::Color,
             interpolation: Interpolation::Perspective,
@@ -118,6 +121,40 @@ impl DrawList {
         self.values.clear();
         self.planes.clear();
         self.polygons.clear();
+    }
+
+    /// A depth of this list in scene units, 1/w as people know it; integer steps stay what they are.
+    #[must_use]
+    pub fn depth_in_scene_units(&self, depth: f64) -> f64 {
+        match self.depth_mapping.format {
+            DepthFormat::F32 | DepthFormat::F64 => depth / self.unit,
+            DepthFormat::Int16 | DepthFormat::Int24 => depth,
+        }
+    }
+
+    /// The same list with eye space measured in another `unit`, a power of two: the picture is the same as long as no number
+    /// leaves its range.
+    #[must_use]
+    pub fn in_unit(&self, unit: f64) -> DrawList {
+        let mut list = DrawList { unit, ..self.clone() };
+        let lengths = self.unit / unit;
+        list.depth_mapping.nearest /= lengths;
+        list.depth_mapping.farthest /= lengths;
+        list.vertices.iter_mut().for_each(|vertex| vertex.homogeneous *= lengths);
+        list.shader.lights.iter_mut().for_each(|light| light.scale_lengths(lengths));
+        let numbers = self.varying.count();
+        for values in list.values.chunks_exact_mut(numbers.max(1)) {
+            // Eye points stand behind normals.
+            values.iter_mut().skip(3).for_each(|value| *value *= lengths);
+        }
+        let perspective = self.interpolation == Interpolation::Perspective;
+        for planes in list.planes.chunks_exact_mut(1 + numbers) {
+            planes[0].scale(1.0 / lengths, 1.0 / lengths);
+            for (number, plane) in planes[1..].iter_mut().enumerate() {
+                plane.scale_varying(number >= 3, perspective, lengths);
+            }
+        }
+        list
     }
 
     /// Drops vertices, values and planes that no polygon uses any more, after polygons were taken out.

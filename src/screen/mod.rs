@@ -42,7 +42,7 @@ pub enum EdgeKind {
 /// A corner of a screen polygon.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ScreenVertex {
-    /// Samples to the right, snapped to the grid. Coverage is decided on these.
+    /// Samples to the right, snapped to the grid. Coverage is decided on these; without a grid, on `homogeneous`.
     pub x: f64,
     /// Samples down, snapped.
     pub y: f64,

@@ -134,6 +134,20 @@ impl Plane {
         }
     }
 
+    /// Multiplies the plane by `plane`, and the range of the values by `values`.
+    pub(super) fn scale(&mut self, plane: f64, values: f64) {
+        (self.a, self.b, self.c) = (self.a * plane, self.b * plane, self.c * plane);
+        (self.low, self.high) = (self.low * values, self.high * values);
+    }
+
+    /// The plane of something that varies, after all lengths were multiplied by `lengths`: the value is a length or is not,
+    /// and in `perspective` the plane is that of value / w.
+    pub(super) fn scale_varying(&mut self, is_length: bool, perspective: bool, lengths: f64) {
+        let value = if is_length { lengths } else { 1.0 };
+        let over_w = perspective && self.evaluation != Evaluation::Constant;
+        self.scale(if over_w { value / lengths } else { value }, value);
+    }
+
     /// Whether every number of it is finite.
     #[must_use]
     pub fn is_finite(&self) -> bool {

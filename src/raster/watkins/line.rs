@@ -59,7 +59,8 @@ impl Line {
     /// Pairs the active edges of each polygon into segments.
     pub fn find_segments(&mut self, list: &DrawList, active: &[ActiveEdge], row: i32) {
         self.crossings.clear();
-        let column = |edge: &ActiveEdge| edge.edge.first_column(i64::from(row), list.grid) as i32;
+        let width = i64::from(list.width);
+        let column = |edge: &ActiveEdge| edge.edge.first_column(i64::from(row), list.grid).clamp(0, width) as i32;
         self.crossings.extend(active.iter().map(|edge| (edge.polygon, column(edge))));
         // By polygon, then from left to right; a polygon's outline is closed, so its crossings come in pairs.
         self.crossings.sort_unstable();

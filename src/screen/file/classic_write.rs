@@ -74,7 +74,7 @@ pub fn write_classic(
     out: &mut dyn Write,
 ) -> Result<ClassicReport, ScreenWriteError> {
     let scale = Scale::new(list, options)?;
-    let (polygons, yon) = (list.len(), 1.0 / scale.farthest);
+    let (polygons, yon) = (list.len(), list.unit / scale.farthest);
     let mut report = ClassicReport { polygons, yon, z_clamped: 0, transparent: 0, collapsed: 0 };
     let mut out = BufWriter::new(out);
     let (width, height) = (list.width, list.height);
@@ -110,6 +110,9 @@ struct Scale {
 
 impl Scale {
     fn new(list: &DrawList, options: &ClassicOptions) -> Result<Scale, ScreenWriteError> {
+        if list.grid.is_exact() {
+            return Err(ScreenWriteError::Unsnapped);
+        }
         let resolutions = [("z-resolution", options.z_resolution), ("color-resolution", options.color_resolution)];
         for (what, value) in resolutions {
             if !(1..=MAX_RESOLUTION).contains(&value) {
@@ -117,12 +120,13 @@ impl Scale {
             }
         }
         let nearest = list.depth_mapping.nearest;
-        if let Some(yon) = options.yon.filter(|&yon| !(yon.is_finite() && yon > 1.0 / nearest)) {
-            return Err(ScreenWriteError::Yon { yon, hither: 1.0 / nearest });
+        let hither = list.unit / nearest;
+        if let Some(yon) = options.yon.filter(|&yon| !(yon.is_finite() && yon > hither)) {
+            return Err(ScreenWriteError::Yon { yon, hither });
         }
         let farthest_vertex = list.vertices.iter().fold(nearest, |farthest, vertex| farthest.min(inverse_w(vertex)));
         let own = Some(list.depth_mapping.farthest).filter(|&farthest| farthest > 0.0);
-        let farthest = options.yon.map(|yon| 1.0 / yon).or(own).unwrap_or(farthest_vertex);
+        let farthest = options.yon.map(|yon| list.unit / yon).or(own).unwrap_or(farthest_vertex);
         Ok(Scale { options: *options, nearest, farthest })
     }
 

@@ -38,6 +38,16 @@ pub enum ScreenWriteError {
     /// Colors were asked for and the list carries nothing (wire).
     #[error("the list carries no colors to write: wire has only edges; make it with another shading")]
     NoColors,
+    /// Nothing is snapped.
+    #[error(
+        "a screen file needs a grid: with --subpixel-bits exact corners lie on none, and outside the picture; choose 0 to 16"
+    )]
+    Unsnapped,
+    /// Distances in scene units leave the range of the numbers.
+    #[error(
+        "the scene is so small or large that 1/w in its units is no number: scale the scene, or give a larger --hither"
+    )]
+    OutOfRange,
     /// Texture coordinates were asked for.
     #[error("the list carries no texture coordinates to write")]
     NoTexture,

@@ -41,6 +41,8 @@ pub(super) struct RecordCounts {
 /// The head, read: a list without polygons, and what follows.
 pub(super) struct Header {
     pub list: DrawList,
+    /// The unit of eye space to draw in; the file's numbers are in scene units.
+    pub unit: f64,
     pub sheet: Sheet,
     /// Vertices of a list of normals carry colors besides.
     pub extra_color: bool,
@@ -63,7 +65,12 @@ fn vertex_fields(varying: Varying, extra_color: bool) -> String {
 }
 
 /// Writes the head of `list`.
-pub(super) fn write(list: &DrawList, sheet: &Sheet, attributes: Attributes, out: &mut dyn Write) -> io::Result<()> {
+pub(super) fn write(
+    (list, unit): (&DrawList, f64),
+    sheet: &Sheet,
+    attributes: Attributes,
+    out: &mut dyn Write,
+) -> io::Result<()> {
     writeln!(out, "{NAME} 2")?;
     writeln!(out, "# One record a line: its keyword, then its fields. What each number means: docs/screen-files.md")?;
     writeln!(out, "samples {}", sheet.samples)?;
@@ -73,6 +80,9 @@ pub(super) fn write(list: &DrawList, sheet: &Sheet, attributes: Attributes, out:
     }
     let DepthMapping { format, nearest, farthest } = list.depth_mapping;
     writeln!(out, "depth_format {} {} {}", format.name(), Number(nearest), Number(farthest))?;
+    if unit != 1.0 {
+        writeln!(out, "eye_unit {}", Number(unit))?;
+    }
     writeln!(out, "subpixel_bits {}", list.grid.bits)?;
     writeln!(out, "precision {}", name_of(list.precision, &PRECISIONS))?;
     writeln!(out, "interpolation {}", list.interpolation.name())?;
@@ -102,6 +112,7 @@ pub(super) fn read(words: &mut Words<'_>, options: &ReadOptions) -> Result<Heade
         field(words, keyword, |words| rule.split(' ').try_for_each(|word| fixed(words, word)))?;
     }
     list.depth_mapping = field(words, "depth_format", depth_mapping)?;
+    let unit = if words.clone().first_word().text == "eye_unit" { field(words, "eye_unit", eye_unit)? } else { 1.0 };
     let bits = field(words, "subpixel_bits", |words| words.whole("sub-pixel bits", 0..=16))?;
     list.grid = Grid { bits: bits as u32 };
     list.precision = field(words, "precision", |words| words.choice("the digits of planes", &PRECISIONS))?;
@@ -123,7 +134,7 @@ pub(super) fn read(words: &mut Words<'_>, options: &ReadOptions) -> Result<Heade
         polygons: field(words, "polygons", |words| words.count("the number of polygons", 26))?,
         vertices: field(words, "vertices", |words| words.count("the number of vertices", 21))?,
     };
-    Ok(Header { list, sheet, extra_color, counts })
+    Ok(Header { list, sheet, unit, extra_color, counts })
 }
 
 /// Reads the record of `keyword`, its fields by `fields`.
@@ -156,6 +167,14 @@ fn depth_mapping(words: &mut Words<'_>) -> Result<DepthMapping, ScreenFileError>
     let farthest = word.text.parse().ok().filter(|&farthest| 0.0 <= farthest && farthest < nearest);
     let farthest = farthest.ok_or_else(|| words.error(word, "1 / yon, at least 0 and below 1 / hither"))?;
     Ok(DepthMapping { format, nearest, farthest })
+}
+
+/// The unit of eye space, in scenes whose hither is extreme.
+fn eye_unit(words: &mut Words<'_>) -> Result<f64, ScreenFileError> {
+    let word = words.word();
+    let is_power = |unit: &f64| *unit > 0.0 && unit.is_normal() && unit.to_bits() << 12 == 0;
+    let unit = word.text.parse().ok().filter(is_power);
+    unit.ok_or_else(|| words.error(word, "the unit of eye space, a power of two"))
 }
 
 /// The names of the fields of a vertex; returns whether a color follows the normal and eye point.

@@ -51,6 +51,7 @@ impl Attributes {
     /// Whether `list` has what is asked for.
     fn check(self, list: &DrawList) -> Result<(), ScreenWriteError> {
         match list.varying {
+            _ if list.grid.is_exact() => Err(ScreenWriteError::Unsnapped),
             _ if self.texture => Err(ScreenWriteError::NoTexture),
             Varying::Color | Varying::Nothing if self.phong => Err(ScreenWriteError::NoNormals),
             Varying::Nothing if self.color => Err(ScreenWriteError::NoColors),
@@ -70,8 +71,20 @@ pub fn write_v2(
     out: &mut dyn Write,
 ) -> Result<(), ScreenWriteError> {
     attributes.check(list)?;
+    let unit = list.unit;
+    let in_scene_units;
+    let list = if unit == 1.0 {
+        list
+    } else {
+        in_scene_units = list.in_unit(1.0);
+        // What does not come back was outside the range of the numbers.
+        if in_scene_units.in_unit(unit) != *list {
+            return Err(ScreenWriteError::OutOfRange);
+        }
+        &in_scene_units
+    };
     let mut out = BufWriter::new(out);
-    header::write(list, sheet, attributes, &mut out)?;
+    header::write((list, unit), sheet, attributes, &mut out)?;
     for light in &list.shader.lights {
         shading::write_light(light, &mut out)?;
     }
@@ -90,6 +103,9 @@ pub(super) fn read_v2(text: &str, options: &ReadOptions) -> Result<ScreenFile, S
     let mut words = Words::new(text, Layout::Records);
     let mut header = header::read(&mut words, options)?;
     records::read_body(&mut words, &mut header)?;
-    let Header { list, sheet, .. } = header;
+    let Header { mut list, sheet, unit, .. } = header;
+    if unit != 1.0 {
+        list = list.in_unit(unit);
+    }
     Ok(ScreenFile { kind: Kind::V2, list, sheet })
 }

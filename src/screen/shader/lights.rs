@@ -56,6 +56,14 @@ impl EyeLight {
         EyeLight { source: EyeSource::Point { position }, color }
     }
 
+    /// The same light with eye space measured in another unit.
+    pub(in crate::screen) fn scale_lengths(&mut self, factor: f64) {
+        match &mut self.source {
+            EyeSource::Point { position } | EyeSource::Spot(Spot { position, .. }) => *position *= factor,
+            EyeSource::Directional { .. } => {}
+        }
+    }
+
     /// The unit direction towards the light and the color that arrives at the point `eye`; `None` where nothing does.
     ///
     /// A light exactly at the point has no direction and adds nothing.
