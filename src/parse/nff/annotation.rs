@@ -9,10 +9,10 @@
 //! Other readers skip them as comments; farop reads them strictly, because a misspelled one would be drawn as if it were not there.
 //! [`crate::parse`]'s input lets them through, `write/annotation.rs` writes them, decision 11 says why they are comments.
 
-use crate::parse::wording::quote;
 use crate::color::Rgb;
 use crate::diagnostic::{printable, suggest};
 use crate::parse::tokens;
+use crate::parse::wording::quote;
 
 /// The word an annotation starts with.
 pub(super) const WORD: &[u8] = b"#farop";
