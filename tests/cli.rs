@@ -270,7 +270,7 @@ fn compare_ends_with_0_1_or_2() {
 fn lists_completions_and_first_steps() {
     let desk = Desk::new();
     for (what, expected) in
-        [("scenes", "gears"), ("rasterizers", "zbuffer"), ("labs", "shared edge"), ("checks", "no accuracy checks")]
+        [("scenes", "gears"), ("rasterizers", "zbuffer"), ("labs", "shared edge"), ("checks", "predicates")]
     {
         let listed = desk.done(&format!("list {what}"));
         assert!(listed.text().contains(expected) && listed.text().ends_with('\n'), "{what}: {}", listed.text());

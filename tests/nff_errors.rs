@@ -224,7 +224,7 @@ fn what_is_not_nff() {
     cases.push(b"s\t0 0\t0 x\t1\r\n# \xE9 \0\r\n".to_vec());
     cases.push(b"\xEF\xBB\xBFs 0 0 0 x".to_vec());
     cases.push(b"\xFF\xFEs\0 \0".to_vec());
-    cases.push(format!("s 0 0 0 1\n{}", "0123456789 ".repeat(100_000)).into_bytes());
+    cases.push(format!("s 0 0 0 1\n{}", "0123456789 ".repeat(1_000_000)).into_bytes());
     cases.push(format!("{}x 1 s 0 0 0 1", "s 0 0 0 1 ".repeat(1000)).into_bytes());
     cases.push(format!("s 0 0 0 {}", "x".repeat(1000)).into_bytes());
     cases.push("s 0 0 x 1\n".repeat(30).into_bytes());
@@ -251,7 +251,7 @@ fn files() {
     write("not_packed.nff.gz", b"s 0 0 0 1");
     write("mistake.nff.gz", &gzip(b"s 0 0 0 x"));
     write("cut.nff.gz", &gzip(b"s 0 0 0 1")[..20]);
-    write("bomb.nff.gz", &gzip(&vec![b'0'; 10_000_000]));
+    write("bomb.nff.gz", &gzip(&vec![b'0'; 30_000_000]));
     write("scene.obj", b"v 0 0 0");
     write("scene", b"s 0 0 0 1");
     let mut transcript = String::new();

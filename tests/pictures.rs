@@ -78,6 +78,15 @@ fn four_shadings_of_the_teapot() {
 }
 
 #[test]
+fn the_teapot_cut_by_the_view_volume() {
+    let mut scene = built_in("teapot", 6, Curves::Kept);
+    let camera = scene.camera.as_mut().expect("the scene has a view");
+    (camera.angle, camera.hither) = (26.0, 9.5);
+    let choices = Choices { size: Some((128, 128)), culling: Culling::None, ..Choices::default() };
+    assert_picture!("teapot_cut", picture(&scene, &choices));
+}
+
+#[test]
 fn supersampled_balls() {
     let scene = built_in("balls", 2, Curves::Kept);
     let choices = Choices { size: Some((96, 96)), samples: 4, shading: Shading::Phong, ..Choices::default() };

@@ -13,7 +13,7 @@ use crate::diagnostic::{Diagnostic, Diagnostics, Gap, Source, Span};
 use std::io::{self, Read};
 
 /// The longest line, in bytes outside comments.
-pub const LINE_LIMIT: usize = 1_000_000;
+pub const LINE_LIMIT: usize = 10_000_000;
 /// The most bytes that are read, comments included and after decompression: what `u32` offsets and lines can count.
 pub const INPUT_LIMIT: u64 = u32::MAX as u64;
 
@@ -247,6 +247,6 @@ mod tests {
         let endless = Repeated { bytes: b"1 2 3 ".to_vec(), times: usize::MAX, at: 0 };
         let error = read_source("long.nff", (&b"#\ns 1\n#\n"[..]).chain(endless)).expect_err("a line without end");
         assert!(error.to_string().contains("long.nff:4:1"), "{error}");
-        assert!(error.to_string().contains("1000000"), "{error}");
+        assert!(error.to_string().contains("10000000"), "{error}");
     }
 }

@@ -1,6 +1,7 @@
 //! What an experiment found: figures, and misses.
 
 use serde::Serialize;
+use std::cmp::Ordering;
 use std::fmt::Write;
 
 /// What one check found.
@@ -74,7 +75,7 @@ impl Report {
     /// A value that must not exceed `limit`; one that is not a number does.
     pub fn at_most(&mut self, name: impl Into<String>, value: Value, limit: Value) {
         let name = name.into();
-        if !(value <= limit) {
+        if !value.partial_cmp(&limit).is_some_and(Ordering::is_le) {
             self.miss(format!("{name} is {value}, more than {limit}"));
         }
         self.figures.push(Figure { name, value, limit: Some(limit) });
