@@ -79,9 +79,11 @@ struct Walk {
 }
 
 impl Walk {
-    /// At the first row that `edge` crosses: the only place where a plane is evaluated.
+    /// At the first row of the picture that `edge` crosses: the only place where a plane is evaluated.
     fn start(edge: Edge, polygon: &ScreenPolygon<'_>) -> Walk {
-        let Range { start: row, end: end_row } = edge.rows(polygon.grid());
+        let Range { start, end: end_row } = edge.rows(polygon.grid());
+        // What is not snapped is not clipped at the sides either.
+        let row = start.max(0);
         let (x, y, slope) = (edge.crossing(row, polygon.grid()), row as f64 + 0.5, edge.slope());
         let values = Linear::of(polygon, |[a, b, c]| a * x + b * y + c);
         let step = Linear::of(polygon, |[a, b, _]| a * slope + b);
@@ -160,7 +162,8 @@ impl Walks {
         target: &mut Target<'_>,
     ) {
         self.marks.clear();
-        let column = |walk: &Walk| walk.edge.first_column(row, list.grid) as i32;
+        let width = i64::from(list.width);
+        let column = |walk: &Walk| walk.edge.first_column(row, list.grid).clamp(0, width) as i32;
         self.marks.extend(self.active.iter().enumerate().map(|(place, walk)| (column(walk), place)));
         self.marks.sort_unstable();
         for pair in self.marks.chunks_exact(2) {
