@@ -8,9 +8,19 @@
 //!
 //! Cost: seconds with [`Extent::Quick`]; [`Extent::Full`] is for the record and may take many minutes.
 
+mod clip;
+mod coverage;
+mod cts;
+mod fuzz;
+mod hash;
 mod predicates;
 mod random;
 mod report;
+mod scenes;
+mod seams;
+mod tally;
+mod tri;
+mod unsnapped;
 
 pub use random::Random;
 pub use report::{Figure, Report, Value};
@@ -26,11 +36,21 @@ pub struct Check {
 }
 
 /// All checks, in the order in which they run.
-pub const CHECKS: &[Check] = &[Check {
-    name: "predicates",
-    claim: "the turn of three points is exact for every finite f64",
-    run: predicates::run,
-}];
+pub const CHECKS: &[Check] = &[
+    check("predicates", "the turn of three points is exact for every finite f64", predicates::run),
+    check("coverage", "every rasterizer covers exactly the samples that the tie rule names", coverage::run),
+    check("unsnapped", "with nothing snapped, corners up to a billion pixels away cover exactly their samples", unsnapped::run),
+    check("seams", "polygons that share edges leave no hole and draw nothing twice, clipped and split", seams::run),
+    check("clip", "both sides of an edge are cut in the same points, inside every plane, and no area is lost", clip::run),
+    check("tri", "splitting gives n - 2 triangles of exactly the polygon's area, without T-junctions", tri::run),
+    check("cts", "conformance scenes hold sample by sample, with no tolerance", cts::run),
+    check("hash", "pictures have the committed bytes, whatever the threads, the rasterizer and the build", hash::run),
+    check("fuzz", "nothing that is read, cut, split or drawn panics or makes a color that is not a number", fuzz::run),
+];
+
+const fn check(name: &'static str, claim: &'static str, run: fn(&Effort, &mut Report)) -> Check {
+    Check { name, claim, run }
+}
 
 /// The check of that name.
 #[must_use]
