@@ -24,7 +24,8 @@ pub(super) fn run(effort: &Effort, report: &mut Report) {
     });
     report.count("lists", lists);
     report.count("polygons", tally.of("polygons"));
-    report.measure("share of adversarial polygons", tally.of("adversarial") as f64 / tally.of("polygons").max(1) as f64);
+    report
+        .measure("share of adversarial polygons", tally.of("adversarial") as f64 / tally.of("polygons").max(1) as f64);
     report.count("pairs of polygon and sample that were judged", tally.of("tests"));
     report.count("samples compared, of all rasterizers", tally.of("compared"));
     report.some("samples exactly on an edge or corner", tally.of("on outline"));
@@ -36,14 +37,15 @@ pub(super) fn run(effort: &Effort, report: &mut Report) {
     tally.examples.iter().for_each(|example| report.miss(example));
 }
 
-const LISTS_QUICK: u64 = 12_000;
-const LISTS_FULL: u64 = 600_000;
+const LISTS_QUICK: u64 = 20_000;
+const LISTS_FULL: u64 = 1_100_000;
 
 /// One polygon, or up to six over one another, in a picture of any form.
 fn list(number: u64, random: &mut Random, tally: &mut Tally) -> DrawList {
     let mut side = || 1 << random.below(7);
     let (width, height) = (side(), side());
-    let (width, height) = (width + random.below(u64::from(width)) as u32, height + random.below(u64::from(height)) as u32);
+    let (width, height) =
+        (width + random.below(u64::from(width)) as u32, height + random.below(u64::from(height)) as u32);
     let mut list = DrawList::new(width, height);
     list.grid = Grid { bits: BITS[(number % 5) as usize] };
     let polygons = if random.once_in(2) { 1 } else { 2 + random.below(5) };

@@ -16,6 +16,7 @@ mod hash;
 mod predicates;
 mod random;
 mod report;
+mod rings;
 mod scenes;
 mod seams;
 mod tally;
@@ -39,9 +40,17 @@ pub struct Check {
 pub const CHECKS: &[Check] = &[
     check("predicates", "the turn of three points is exact for every finite f64", predicates::run),
     check("coverage", "every rasterizer covers exactly the samples that the tie rule names", coverage::run),
-    check("unsnapped", "with nothing snapped, corners up to a billion pixels away cover exactly their samples", unsnapped::run),
+    check(
+        "unsnapped",
+        "with nothing snapped, corners up to a billion pixels away cover exactly their samples",
+        unsnapped::run,
+    ),
     check("seams", "polygons that share edges leave no hole and draw nothing twice, clipped and split", seams::run),
-    check("clip", "both sides of an edge are cut in the same points, inside every plane, and no area is lost", clip::run),
+    check(
+        "clip",
+        "both sides of an edge are cut in the same points, inside every plane, and no area is lost",
+        clip::run,
+    ),
     check("tri", "splitting gives n - 2 triangles of exactly the polygon's area, without T-junctions", tri::run),
     check("cts", "conformance scenes hold sample by sample, with no tolerance", cts::run),
     check("hash", "pictures have the committed bytes, whatever the threads, the rasterizer and the build", hash::run),

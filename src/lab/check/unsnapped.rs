@@ -32,7 +32,7 @@ const GRIDS: [(u32, &str); 4] = [(0, "0 bits"), (4, "4 bits"), (12, "12 bits"), 
 
 /// Draws triangles and quadrilaterals of all sizes.
 pub(super) fn run(effort: &Effort, report: &mut Report) {
-    let cases = effort.count(3_500, 1_400_000);
+    let cases = effort.count(7_000, 700_000);
     let tally = sum(cases, |number, tally| case(number, &mut effort.random(number), tally));
     let edges = tally.of("edge samples").max(1) as f64;
     report.count("polygons", cases);
@@ -98,20 +98,20 @@ fn edge_samples(truth: &ExactPicture) -> u64 {
 }
 
 /// Three or four corners in eye space, counterclockwise as the viewer sees them and planar. They land up to 2^magnitude
-/// pixels from the middle; every edge is pulled to pass the picture near its middle or exactly through a sample's center.
+/// pixels from the middle; edges are pulled to pass the picture, in a third of the cases exactly through a sample's center: there
+/// all corners are on centers and every w is a power of two, so no product is rounded.
 fn corners(random: &mut Random, magnitude: i32) -> Vec<Vec3> {
     let half = f64::from(SIDE) / 2.0;
     let reach = if magnitude == 0 { half } else { pow(2.0, f64::from(magnitude)) };
-    let mut through = || {
-        let mut along = || if random.once_in(4) { random.below(16) as f64 - 7.5 } else { random.between(-half, half) };
+    let on_centers = random.once_in(3);
+    let mut point = |end: f64| {
+        let mut along = || {
+            let at = random.between(-end, end);
+            if on_centers { at.floor() + 0.5 } else { at }
+        };
         (along(), along())
     };
-    let (p, q) = (through(), through());
-    let mut far = || {
-        let mut along = || random.between(-1.0, 1.0) * reach;
-        (along(), along())
-    };
-    let (a, c) = (far(), far());
+    let (p, q, a, c) = (point(half), point(half), point(reach), point(reach));
     // The second and the third corner lie behind points of the picture, seen from the first.
     let stretch = reach / half * random.between(0.5, 1.0);
     let beyond = |to: (f64, f64)| (a.0 + (to.0 - a.0) * 2.0, a.1 + (to.1 - a.1) * 2.0);
@@ -121,7 +121,10 @@ fn corners(random: &mut Random, magnitude: i32) -> Vec<Vec3> {
         1 => [a, c, near(p)],
         _ => [a, beyond(p), c],
     };
-    let mut w = || pow(2.0, random.between(-3.0, 3.0));
+    let mut w = || {
+        let exponent = if on_centers { random.below(7) as f64 - 3.0 } else { random.between(-3.0, 3.0) };
+        pow(2.0, exponent)
+    };
     let corners = outline.map(|(x, y)| {
         let w = w();
         Vec3::new(x / half * w, y / half * w, w)
