@@ -38,28 +38,44 @@ pub struct Check {
 
 /// All checks, in the order in which they run.
 pub const CHECKS: &[Check] = &[
-    check("predicates", "the turn of three points is exact for every finite f64", predicates::run),
-    check("coverage", "every rasterizer covers exactly the samples that the tie rule names", coverage::run),
-    check(
-        "unsnapped",
-        "with nothing snapped, corners up to a billion pixels away cover exactly their samples",
-        unsnapped::run,
-    ),
-    check("seams", "polygons that share edges leave no hole and draw nothing twice, clipped and split", seams::run),
-    check(
-        "clip",
-        "both sides of an edge are cut in the same points, inside every plane, and no area is lost",
-        clip::run,
-    ),
-    check("tri", "splitting gives n - 2 triangles of exactly the polygon's area, without T-junctions", tri::run),
-    check("cts", "conformance scenes hold sample by sample, with no tolerance", cts::run),
-    check("hash", "pictures have the committed bytes, whatever the threads, the rasterizer and the build", hash::run),
-    check("fuzz", "nothing that is read, cut, split or drawn panics or makes a color that is not a number", fuzz::run),
+    Check { name: "predicates", claim: "the turn of three points is exact for every finite f64", run: predicates::run },
+    Check {
+        name: "coverage",
+        claim: "every rasterizer covers exactly the samples that the tie rule names",
+        run: coverage::run,
+    },
+    Check {
+        name: "unsnapped",
+        claim: "with nothing snapped, corners up to a billion pixels away cover exactly their samples",
+        run: unsnapped::run,
+    },
+    Check {
+        name: "seams",
+        claim: "polygons that share edges leave no hole and draw nothing twice, clipped and split",
+        run: seams::run,
+    },
+    Check {
+        name: "clip",
+        claim: "both sides of an edge are cut in the same points, inside every plane, and no area is lost",
+        run: clip::run,
+    },
+    Check {
+        name: "tri",
+        claim: "splitting gives n - 2 triangles of exactly the polygon's area, without T-junctions",
+        run: tri::run,
+    },
+    Check { name: "cts", claim: "conformance scenes hold sample by sample, with no tolerance", run: cts::run },
+    Check {
+        name: "hash",
+        claim: "pictures have the committed bytes, whatever the threads, the rasterizer and the build",
+        run: hash::run,
+    },
+    Check {
+        name: "fuzz",
+        claim: "nothing that is read, cut, split or drawn panics or makes a color that is not a number",
+        run: fuzz::run,
+    },
 ];
-
-const fn check(name: &'static str, claim: &'static str, run: fn(&Effort, &mut Report)) -> Check {
-    Check { name, claim, run }
-}
 
 /// The check of that name.
 #[must_use]
