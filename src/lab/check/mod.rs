@@ -8,9 +8,20 @@
 //!
 //! Cost: seconds with [`Extent::Quick`]; [`Extent::Full`] is for the record and may take many minutes.
 
+mod clip;
+mod coverage;
+mod cts;
+mod fuzz;
+mod hash;
 mod predicates;
 mod random;
 mod report;
+mod rings;
+mod scenes;
+mod seams;
+mod tally;
+mod tri;
+mod unsnapped;
 
 pub use random::Random;
 pub use report::{Figure, Report, Value};
@@ -26,11 +37,45 @@ pub struct Check {
 }
 
 /// All checks, in the order in which they run.
-pub const CHECKS: &[Check] = &[Check {
-    name: "predicates",
-    claim: "the turn of three points is exact for every finite f64",
-    run: predicates::run,
-}];
+pub const CHECKS: &[Check] = &[
+    Check { name: "predicates", claim: "the turn of three points is exact for every finite f64", run: predicates::run },
+    Check {
+        name: "coverage",
+        claim: "every rasterizer covers exactly the samples that the tie rule names",
+        run: coverage::run,
+    },
+    Check {
+        name: "unsnapped",
+        claim: "with nothing snapped, corners up to a billion pixels away cover exactly their samples",
+        run: unsnapped::run,
+    },
+    Check {
+        name: "seams",
+        claim: "polygons that share edges leave no hole and draw nothing twice, clipped and split",
+        run: seams::run,
+    },
+    Check {
+        name: "clip",
+        claim: "both sides of an edge are cut in the same points, inside every plane, and no area is lost",
+        run: clip::run,
+    },
+    Check {
+        name: "tri",
+        claim: "splitting gives n - 2 triangles of exactly the polygon's area, without T-junctions",
+        run: tri::run,
+    },
+    Check { name: "cts", claim: "conformance scenes hold sample by sample, with no tolerance", run: cts::run },
+    Check {
+        name: "hash",
+        claim: "pictures have the committed bytes, whatever the threads, the rasterizer and the build",
+        run: hash::run,
+    },
+    Check {
+        name: "fuzz",
+        claim: "nothing that is read, cut, split or drawn panics or makes a color that is not a number",
+        run: fuzz::run,
+    },
+];
 
 /// The check of that name.
 #[must_use]
@@ -41,6 +86,8 @@ pub fn find(name: &str) -> Option<&'static Check> {
 /// How much an experiment may do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Extent {
+    /// A hundredth of `Quick`: for tests of the checks themselves.
+    Tiny,
     /// All checks together in two minutes on two cores.
     Quick,
     /// As many cases as the claim's record names.
@@ -61,6 +108,7 @@ impl Effort {
     #[must_use]
     pub fn count(&self, quick: u64, full: u64) -> u64 {
         match self.extent {
+            Extent::Tiny => (quick / 100).max(1),
             Extent::Quick => quick,
             Extent::Full => full,
         }
