@@ -314,7 +314,9 @@ fn perspective(random: &mut Random, tally: &mut Tally) {
         let values = list.polygon(polygon as usize).values(x as i32, y as i32);
         let eye = Vec3::new(values[3], values[4], values[5]);
         // Planes are evaluated in f32: 2^-20 of the size is some ten of its last places.
-        !((eye - expected).length() <= expected.length() * pow(2.0, -20.0))
+        // A distance that is no number counts as off.
+        let off = (eye - expected).length();
+        off.is_nan() || off > expected.length() * pow(2.0, -20.0)
     };
     let covered = drawn.owner.iter().enumerate().filter_map(|(index, owner)| owner.map(|polygon| (index, polygon)));
     let wrong = covered.filter(|&(index, polygon)| is_wrong(index, polygon)).count();

@@ -1,6 +1,6 @@
 //! Fuzz: what is read, cut, split and drawn may be anything; nothing may panic, and no picture holds a color that is no number.
 //!
-//! Six targets take turns: scene text (legal NFF, mangled), screen files (legal, mangled), cutting, splitting, drawing lists, and
+//! Seven targets take turns: scene texts (legal NFF and `.sipp`, mangled), screen files (legal, mangled), cutting, splitting, drawing lists, and
 //! whole pictures of mangled scenes. A legal text is mangled by bytes changed, dropped, repeated, and by words replaced
 //! with numbers that hurt. The same seed gives the same executions; a panic is caught and is a miss with its number.
 //!
@@ -14,7 +14,7 @@ use crate::geometry::clip::{ClipVertex, ClipVolume, Clipped, Clipper};
 use crate::geometry::split::{SplitScratch, split};
 use crate::image::Image;
 use crate::math::Vec3;
-use crate::parse::{ParseOptions, read_nff};
+use crate::parse::{ParseOptions, read_nff, read_sipp};
 use crate::plan::{Choices, Culling, DepthFormat, Shading, Transparency};
 use crate::render::{self, Canvas, render};
 use crate::screen::file::{Attributes, ReadOptions, Sheet, read, write_v2};
@@ -24,8 +24,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 /// One kind of execution; returns how many colors or coordinates are not numbers.
 type Target = (&'static str, fn(&mut Random, &mut Tally) -> u64);
 
-const TARGETS: [Target; 6] = [
+const TARGETS: [Target; 7] = [
     ("scene texts read", scene_text),
+    ("trees of objects read", tree_text),
     ("screen files read", screen_file),
     ("polygons cut", cut),
     ("outlines split", split_outline),
@@ -40,6 +41,7 @@ pub(super) fn run(effort: &Effort, report: &mut Report) {
     report.count("executions", executions);
     TARGETS.iter().for_each(|(name, _)| report.some(*name, tally.of(name)));
     report.some("of the texts, still legal", tally.of("legal texts"));
+    report.some("of the trees, still legal", tally.of("legal trees"));
     report.some("of the screen files, still legal", tally.of("legal files"));
     report.some("of the polygons, cut to something", tally.of("cut to something"));
     report.some("of the scenes, with a picture", tally.of("pictures"));
@@ -69,6 +71,12 @@ const SCENE: &str = "v\nfrom 0 0 -5\nat 0 0 0\nup 0 1 0\nangle 45\nhither 1\nres
     f 1 .5 .2 .7 .3 8 0 1\np 4\n-1 -1 0\n1 -1 0\n1 1 .5\n-1 1 .5\nf .2 .9 .4 .8 .1 3 .5 1\n\
     pp 3\n-2 0 1 0 0 -1\n0 2 1 0 .6 -.8\n2 0 1 .6 0 -.8\ns 0 0 1 .5\nc\n0 -1 0 .3\n0 1 0 .1\n\
     p 6\n0 0 -1\n2 0 -1\n2 1 -1\n1 .2 -1\n.5 1 -1\n0 1 -1\n";
+
+const TREE: &str = "shader s phong { ambient .3 diffuse .6 color 1 .5 .2 } shader t basic { c3 .2 opacity .5 }\nobject arm { \
+    cylinder { radius .1 length 2 shader s } rotate x 30deg move 0 0 1 use hand { scale 1 1 -1 } }\nobject hand { \
+    sphere { radius .4 res 6 shader t } surface s { v 0 0 0 v 1 0 0 n 0 0 1 v 0 1 0 polygon { 1 2 3 } } }\nworld { use arm \
+    clone arm { shader t matrix 1 0 0 0 1 0 0 0 1 3 0 0 } prism { outline 0 0 1 0 0 1 height 2 shader s } }\nlight a spot { from 3 3 9 \
+    at 0 0 0 opening 40 edge soft }\ncamera { from 0 0 9 at 0 0 0 focal .3 } background .1 .2 .3 image 24 16\n";
 
 /// Words that hurt.
 const WORDS: [&str; 20] = [
@@ -129,6 +137,14 @@ fn scene_text(random: &mut Random, tally: &mut Tally) -> u64 {
     tally.add("legal texts", 1);
     let vertices = parsed.scene.surfaces.iter().flat_map(|surface| &surface.mesh.vertices);
     vertices.filter(|vertex| !vertex.is_finite()).count() as u64
+}
+
+fn tree_text(random: &mut Random, tally: &mut Tally) -> u64 {
+    let text = mangled(TREE, random);
+    let Ok(parsed) = read_sipp("fuzz", &text, ParseOptions::default()) else { return 0 };
+    tally.add("legal trees", 1);
+    let transforms = parsed.scene.objects.iter().map(|object| object.parent_from_local);
+    transforms.filter(|transform| transform.is_nan()).count() as u64
 }
 
 fn picture(random: &mut Random, tally: &mut Tally) -> u64 {
@@ -226,7 +242,10 @@ fn wild_list(random: &mut Random, _: &mut Tally) -> u64 {
         for plane in &mut list.planes[first..] {
             // As steep as `f32` can carry; the geometry stage keeps planes that are not finite out of lists.
             let mut finite = || Some(wild(random)).filter(|x| x.abs() <= 1e36).unwrap_or(1.0);
-            *plane = Plane::new([finite(), finite(), finite()], (0.25, 1.0), (0.25, 1.0), list.precision);
+            let coefficients = [finite(), finite(), finite()];
+            // A broken screen file may hold a range upside down.
+            let range = if random.once_in(8) { (1.0, 0.25) } else { (0.25, 1.0) };
+            *plane = Plane::new(coefficients, range, range, list.precision);
         }
     }
     let mut not_numbers = 0;

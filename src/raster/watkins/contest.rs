@@ -112,10 +112,13 @@ impl Contest {
     /// The z-extent test: a polygon whose nearest point is behind the farthest point of another cannot win.
     fn find_candidates(&mut self, list: &DrawList, order: &DepthOrder) {
         let planes = |segment: &Segment| list.polygon(segment.polygon as usize).depth_plane();
-        let farthest_points = self.segments.iter().filter_map(planes).map(|plane| plane.low);
+        // A broken screen file may hold a range upside down; its ends are still the ends.
+        let farthest_points = self.segments.iter().filter_map(planes).map(|plane| plane.low.min(plane.high));
         let to_beat = farthest_points.fold(f64::NEG_INFINITY, f64::max);
         self.candidates.clear();
-        let may_win = |segment: &&Segment| planes(segment).is_none_or(|plane| !order.nearer(to_beat, plane.high, 0.0));
+        let may_win = |segment: &&Segment| {
+            planes(segment).is_none_or(|plane| !order.nearer(to_beat, plane.high.max(plane.low), 0.0))
+        };
         self.candidates.extend(self.segments.iter().filter(may_win).map(|segment| segment.polygon));
         self.counts.comparisons += self.segments.len() as u64 - 1;
     }
