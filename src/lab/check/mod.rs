@@ -8,8 +8,10 @@
 //!
 //! Cost: seconds with [`Extent::Quick`]; [`Extent::Full`] is for the record and may take many minutes.
 
+mod agree;
 mod predicates;
 mod random;
+mod random_scenes;
 mod report;
 
 pub use random::Random;
@@ -26,11 +28,14 @@ pub struct Check {
 }
 
 /// All checks, in the order in which they run.
-pub const CHECKS: &[Check] = &[Check {
-    name: "predicates",
-    claim: "the turn of three points is exact for every finite f64",
-    run: predicates::run,
-}];
+pub const CHECKS: &[Check] = &[
+    Check { name: "predicates", claim: "the turn of three points is exact for every finite f64", run: predicates::run },
+    Check {
+        name: "agree",
+        claim: "the z-buffer, Watkins and the exact oracle show the same polygon at every sample",
+        run: agree::run,
+    },
+];
 
 /// The check of that name.
 #[must_use]
