@@ -107,21 +107,13 @@ impl Found {
 }
 
 /// Pictures of pairs between two planes.
-fn pairs(
-    effort: &Effort,
-    (near, far): (f64, f64),
-    separation: f64,
-    depth: DepthFormat,
-    hard: &mut Hardness,
-) -> Found {
+fn pairs(effort: &Effort, (near, far): (f64, f64), separation: f64, depth: DepthFormat, hard: &mut Hardness) -> Found {
     let mut random = effort.random((far / near).to_bits() ^ separation.to_bits().rotate_left(17));
     let mut found = Found::default();
     for _ in 0..effort.count(3, 120) {
         let front = triangles(&mut random, (near, far / 1.01), hard);
-        let back: Vec<Vec<Vec3>> = front
-            .iter()
-            .map(|corners| corners.iter().map(|&corner| corner * (1.0 + separation)).collect())
-            .collect();
+        let back: Vec<Vec<Vec3>> =
+            front.iter().map(|corners| corners.iter().map(|&corner| corner * (1.0 + separation)).collect()).collect();
         let here = judge((near, far), &front, &back, depth);
         hard.samples += here.samples;
         found += here;

@@ -9,6 +9,8 @@
 //! Cost: seconds with [`Extent::Quick`]; [`Extent::Full`] is for the record and may take many minutes.
 
 mod agree;
+mod color;
+mod depth;
 mod predicates;
 mod random;
 mod random_scenes;
@@ -35,6 +37,12 @@ pub const CHECKS: &[Check] = &[
         claim: "the z-buffer, Watkins and the exact oracle show the same polygon at every sample",
         run: agree::run,
     },
+    Check {
+        name: "depth",
+        claim: "the nearer polygon shows wherever it is nearer by 1e-5 of its distance (1e-12 with f64), whatever near, far and order",
+        run: depth::run,
+    },
+    Check { name: "color", claim: "colors run linearly in space, to half a level and 0.0005 more", run: color::run },
 ];
 
 /// The check of that name.
