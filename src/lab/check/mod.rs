@@ -8,6 +8,7 @@
 //!
 //! Cost: seconds with [`Extent::Quick`]; [`Extent::Full`] is for the record and may take many minutes.
 
+mod aa;
 mod agree;
 mod color;
 mod depth;
@@ -43,6 +44,11 @@ pub const CHECKS: &[Check] = &[
         run: depth::run,
     },
     Check { name: "color", claim: "colors run linearly in space, to half a level and 0.0005 more", run: color::run },
+    Check {
+        name: "aa",
+        claim: "A x A samples err as A to the power of -1.5, on axis edges as 1 / (A sqrt 12), never by more than 1 / (2 A)",
+        run: aa::run,
+    },
 ];
 
 /// The check of that name.
