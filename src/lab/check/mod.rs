@@ -12,6 +12,7 @@ mod aa;
 mod agree;
 mod color;
 mod depth;
+mod extremes;
 mod predicates;
 mod random;
 mod random_scenes;
@@ -48,6 +49,11 @@ pub const CHECKS: &[Check] = &[
         name: "aa",
         claim: "A x A samples err as A to the power of -1.5, on axis edges as 1 / (A sqrt 12), never by more than 1 / (2 A)",
         run: aa::run,
+    },
+    Check {
+        name: "extremes",
+        claim: "every item of the catalogue of extremes has its stated outcome",
+        run: extremes::run,
     },
 ];
 
