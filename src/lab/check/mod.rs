@@ -17,6 +17,7 @@ mod predicates;
 mod random;
 mod random_scenes;
 mod report;
+mod tess;
 
 pub use random::Random;
 pub use report::{Figure, Report, Value};
@@ -54,6 +55,11 @@ pub const CHECKS: &[Check] = &[
         name: "extremes",
         claim: "every item of the catalogue of extremes has its stated outcome",
         run: extremes::run,
+    },
+    Check {
+        name: "tess",
+        claim: "outlines of shapes are within the asked tolerance, with hardly more segments than needed",
+        run: tess::run,
     },
 ];
 

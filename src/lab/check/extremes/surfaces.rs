@@ -29,8 +29,10 @@ pub(super) const ITEMS: &[Item] = &[
 fn lit(specular: f64, shine: f64, (place, normal): (Vec3, Vec3), light: Vec3) -> Rgb {
     let (ambient, diffuse, opacity) = (Rgb::gray(0.125), Rgb::gray(0.5), Rgb::gray(1.0));
     let surface = SurfaceShading { ambient, diffuse, specular, shine, opacity, ..SurfaceShading::default() };
-    let lights = vec![EyeLight::point(light, Rgb::WHITE)];
-    Shader { lights, surfaces: vec![surface], ..Shader::default() }.light(0, place, normal)
+    let mut shader = Shader::default();
+    shader.lights.push(EyeLight::point(light, Rgb::WHITE));
+    shader.surfaces.push(surface);
+    shader.light(0, place, normal)
 }
 
 fn shine_of_zero(_: &Effort) -> Outcome {
