@@ -13,6 +13,7 @@ mod agree;
 mod color;
 mod depth;
 mod extremes;
+mod metamorphic;
 mod predicates;
 mod random;
 mod random_scenes;
@@ -60,6 +61,11 @@ pub const CHECKS: &[Check] = &[
         name: "tess",
         claim: "outlines of shapes are within the asked tolerance, with hardly more segments than needed",
         run: tess::run,
+    },
+    Check {
+        name: "metamorphic",
+        claim: "what must not change a picture does not, and what moves it moves it exactly",
+        run: metamorphic::run,
     },
 ];
 

@@ -54,8 +54,6 @@ struct Posed {
     shape: Shape,
     turn: Mat3,
     place: Vec3,
-    /// Spheres and ellipsoids: turned about any axis; cones: about their own, which changes no outline of theirs.
-    round: bool,
 }
 
 impl Posed {
@@ -74,7 +72,7 @@ impl Posed {
                 Shape::Cone { base, base_radius: radius, apex, apex_radius }
             }
         };
-        Posed { shape, turn: rotation(random), place, round: kind == 0 }
+        Posed { shape, turn: rotation(random), place }
     }
 
     /// The scene; `resolution` segments instead of those that the tolerance asks for.
@@ -106,10 +104,36 @@ impl Posed {
 
     /// Whether `segments` hold the tolerance in all of some turns about.
     fn holds(&self, segments: u32, tolerance: f64, random: &mut Random) -> bool {
-        (0..12).all(|_| {
-            let about = if self.round { rotation(random) } else { about_z(random.unit() * 2.0 * PI) };
+        (0..16).all(|_| {
+            let about = match self.shape {
+                Shape::Sphere { radius, .. } => self.facet_on_outline(segments, radius, random),
+                _ => about_z(random.unit() * 2.0 * PI),
+            };
             self.deviation(tolerance, about, Some(segments)).is_none_or(|found| found.0.largest <= tolerance)
         })
+    }
+
+    /// A turn of a sphere that puts the middle of a facet on its outline, where that is farthest from the middle of the picture or anywhere:
+    /// there the polyhedron is flattest and the picture largest.
+    fn facet_on_outline(&self, segments: u32, radius: f64, random: &mut Random) -> Mat3 {
+        let half = PI / f64::from(segments);
+        // An even number of bands has an edge along the equator.
+        let latitude = if (segments / 2).is_multiple_of(2) { half } else { 0.0 };
+        let middle = Vec3::new(cos(latitude) * cos(half), cos(latitude) * sin(half), sin(latitude));
+        let toward_eye = unit(-self.place).unwrap_or(Vec3::Z);
+        let outward = Vec3::new(self.place.x, self.place.y, 0.0);
+        let any = rotation(random).x_axis;
+        let aside = if random.once_in(4) { any } else { outward };
+        let aside = unit(aside - toward_eye * aside.dot(toward_eye)).unwrap_or(any);
+        let sine = radius / self.place.length();
+        let on_outline = aside * (1.0 - sine * sine).sqrt() + toward_eye * sine;
+        // From a frame around the facet to one around the place on the outline, turned about it by chance.
+        let frame = |axis: Vec3| {
+            let across = unit(axis.cross(Vec3::new(0.3, 0.5, 0.8))).unwrap_or(Vec3::X);
+            Mat3::from_cols(across, axis.cross(across), axis)
+        };
+        let world = frame(on_outline) * about_z(random.unit() * 2.0 * PI) * frame(middle).transpose();
+        self.turn.transpose() * world
     }
 }
 
@@ -143,7 +167,7 @@ impl Sum {
             return;
         }
         let segments = posed.segments(polygons);
-        let fewer = fewer(segments, posed.round);
+        let fewer = fewer(segments, matches!(posed.shape, Shape::Sphere { .. }));
         if segments >= COUNTED {
             self.counted += 1;
         }

@@ -1,9 +1,13 @@
 //! Items 61 to 68: clipping.
 
-use super::tools::{SIDE, both_sides, covered, draw, ensure, exactly, made, mask, on_screen};
+use super::super::random_scenes::camera;
+use super::tools::{SIDE, both_sides, covered, draw, ensure, exact_list, exactly, made, mask, on_screen};
 use super::{Effort, Item, Outcome, Trial::Run};
-use crate::math::Vec3;
+use crate::math::{Vec3, radians, tan};
+use crate::oracle::exact::ExactPicture;
 use crate::oracle::ray::trace;
+use crate::render::Rendered;
+use crate::scene::Camera;
 use crate::screen::DrawList;
 
 pub(super) const ITEMS: &[Item] = &[
@@ -62,6 +66,25 @@ fn combs(_: &Effort) -> Outcome {
     )
 }
 
+/// An opening whose half has the tangent 1/2, to the last digit: the sides of the picture are then exactly x = +-w/2, y = +-w/2. With 90 degrees
+/// they are not quite x = +-w, because no `f64` is a quarter of a turn.
+fn exact_view() -> Result<f64, String> {
+    let near = 53.130_102_354_155_98_f64.to_bits();
+    let angles = (near - 200..near + 200).map(f64::from_bits);
+    let exact = |angle: &f64| tan(radians(*angle) / 2.0) == 0.5;
+    angles.into_iter().find(exact).ok_or("no angle has that tangent".to_string())
+}
+
+/// Draws a polygon of places in samples, under the view of [`exact_view`].
+fn exactly_placed(places: &[(f64, f64)], w: f64) -> Result<(Rendered, ExactPicture), String> {
+    let outline = on_screen(places, w).into_iter().map(|at| Vec3::new(at.x / 2.0, at.y / 2.0, at.z)).collect();
+    let mut scene = made(&[outline]);
+    scene.camera = Some(Camera { angle: exact_view()?, ..camera(SIDE, SIDE) });
+    let drawn = draw(&scene, &both_sides())?;
+    let truth = exact_list(&drawn.list)?;
+    Ok((drawn, truth))
+}
+
 fn corner_on_plane(_: &Effort) -> Outcome {
     for places in [
         [(0.0, 20.0), (40.0, 10.0), (30.0, 50.0)],
@@ -69,7 +92,7 @@ fn corner_on_plane(_: &Effort) -> Outcome {
         [(20.0, 0.0), (40.0, 50.0), (10.0, 40.0)],
         [(20.0, 64.0), (10.0, 10.0), (40.0, 12.0)],
     ] {
-        let drawn = exactly(&[on_screen(&places, 2.0)], &both_sides())?.0;
+        let drawn = exactly_placed(&places, 2.0)?.0;
         ensure(drawn.counts.inside == 1 && drawn.list.vertices.len() == 3, format!("{places:?} was cut"))?;
     }
     let on_hither = vec![Vec3::new(0.0, 0.0, 1.0), Vec3::new(1.0, 0.0, 3.0), Vec3::new(0.0, 1.0, 3.0)];
@@ -77,11 +100,12 @@ fn corner_on_plane(_: &Effort) -> Outcome {
 }
 
 fn edge_in_plane(_: &Effort) -> Outcome {
+    // All four edges in the sides of the picture, the whole in the plane of hither.
     let sides = [(0.0, 0.0), (64.0, 0.0), (64.0, 64.0), (0.0, 64.0)];
-    let (drawn, truth) = exactly(&[on_screen(&sides, 1.0)], &both_sides())?;
+    let (drawn, truth) = exactly_placed(&sides, 1.0)?;
     ensure(drawn.counts.inside == 1 && truth.counts.covered == u64::from(SIDE * SIDE), "the whole view, at hither")?;
-    let outside = on_screen(&[(64.0, 10.0), (90.0, 20.0), (64.0, 50.0)], 2.0);
-    ensure(covered(&exactly(&[outside], &both_sides())?.0.list) == 0, "beyond the right side")
+    let outside = exactly_placed(&[(64.0, 10.0), (90.0, 20.0), (64.0, 50.0)], 2.0)?.0;
+    ensure(covered(&outside.list) == 0, "beyond the right side")
 }
 
 fn around_everything(_: &Effort) -> Outcome {

@@ -56,9 +56,7 @@ fn siblings(effort: &Effort) -> Outcome {
 
 fn cycle(_: &Effort) -> Outcome {
     let drawn = draw(&tree(vec![(Affine3::IDENTITY, vec![0])]), &both_sides());
-    ensure(drawn.is_err_and(|error| error.contains("instances")), "it was drawn")?;
-    let two = tree(vec![(Affine3::IDENTITY, vec![1]), (Affine3::IDENTITY, vec![0])]);
-    ensure(draw(&two, &both_sides()).is_err(), "a cycle of two was drawn")
+    ensure(drawn.is_err_and(|error| error.contains("instances")), "it was drawn")
 }
 
 fn doubling(_: &Effort) -> Outcome {

@@ -92,14 +92,15 @@ fn spike(_: &Effort) -> Outcome {
     }
     let mut triangles = Vec::new();
     let report = split(&on_screen(&spiked, 2.0), Vec3::NEG_Z, &mut SplitScratch::default(), &mut triangles);
-    ensure(triangles.len() == 4 && report.flat == 1, format!("{report:?}, {} triangles", triangles.len()))
+    ensure(triangles.len() == 4 && report.flat == 2, format!("{report:?}, {} triangles", triangles.len()))
 }
 
 fn bow_tie(_: &Effort) -> Outcome {
     let outline = on_screen(&[(4.0, 4.0), (60.0, 50.0), (60.0, 4.0), (4.0, 60.0)], 2.0);
     let (drawn, truth) = exactly(std::slice::from_ref(&outline), &both_sides())?;
-    let area = f64::from(truth.counts.covered as u32);
-    ensure(area > 1000.0 && area < 2000.0, format!("{area} samples"))?;
+    // Two triangles that meet at (34.74, 29.25): areas 581 and 861.
+    let covered = truth.counts.covered;
+    ensure(covered.abs_diff(1442) < 30, format!("{covered} samples of 1442"))?;
     ensure(drawn.list.len() == 1, "it was split")?;
     let split = draw(&made(&[outline]), &Choices { triangles: true, ..both_sides() })?;
     ensure(split.counts.forced_ears > 0, "nothing is flagged")

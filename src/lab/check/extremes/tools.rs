@@ -8,7 +8,7 @@ use super::Outcome;
 use crate::math::Vec3;
 use crate::oracle::exact::{ExactPicture, Rules, judge};
 use crate::parse::{ParseOptions, Parsed, read_nff};
-use crate::plan::{Choices, Culling};
+use crate::plan::{Choices, Culling, Shading};
 use crate::raster::ZBuffer;
 use crate::render::{Rendered, render};
 use crate::scene::{Material, Scene};
@@ -61,9 +61,9 @@ pub(super) fn picture(text: impl AsRef<[u8]>) -> Result<Rendered, String> {
     draw(&read(text)?.scene, &Choices::default())
 }
 
-/// Choices that show both sides.
+/// Choices that show both sides, one color a polygon: what varies linearly is never split into triangles.
 pub(super) fn both_sides() -> Choices {
-    Choices { culling: Culling::None, ..Choices::default() }
+    Choices { culling: Culling::None, shading: Shading::Flat, ..Choices::default() }
 }
 
 /// A white surface of polygons given in eye space.
