@@ -21,7 +21,7 @@ use crate::spd::{self, Curves};
 
 /// Draws every scene three times.
 pub(super) fn run(effort: &Effort, report: &mut Report) {
-    let scenes = effort.count(600, 10_000);
+    let scenes = effort.count(600, 10_000).max(60);
     let mut tally = Tally::default();
     for number in 0..scenes {
         let seed = effort.seed.wrapping_add(number);
@@ -130,7 +130,7 @@ impl Tally {
 
     /// A standard scene in all shadings, with all depth formats, with back faces and without.
     fn standard(&mut self, name: &str, mut scene: Scene, effort: &Effort, report: &mut Report) {
-        let side = effort.count(64, 200) as u32;
+        let side = effort.count(64, 200).max(48) as u32;
         // Integer depth needs a farthest plane.
         if let Some(camera) = &mut scene.camera {
             camera.yon = Some(camera.from.distance(camera.at) * 20.0);

@@ -30,8 +30,8 @@ pub(super) fn run(effort: &Effort, report: &mut Report) {
     let mut sums = [Sum::default(), Sum::default()];
     let mut hard = Hardness::default();
     for (size, pictures) in [
-        ((64, 64), effort.count(150, 20_000)),
-        ((1024, 64), effort.count(20, 2000)),
+        ((64, 64), effort.count(150, 20_000).max(10)),
+        ((1024, 64), effort.count(20, 2000).max(2)),
         ((65_535, 4), effort.count(8, 400)),
     ] {
         let mut random = effort.random(u64::from(size.0));

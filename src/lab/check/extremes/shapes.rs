@@ -58,7 +58,7 @@ fn around_the_eye(_: &Effort) -> Outcome {
 }
 
 fn many_spheres(effort: &Effort) -> Outcome {
-    let side = effort.count(40, 1000);
+    let side = effort.count(40, 1000).max(20);
     let mut one = surface(Material::default(), Mesh::default());
     for number in 0..side * side {
         let place = |at: u64| (at as f64 + 0.5) / side as f64 * 1.8 - 0.9;

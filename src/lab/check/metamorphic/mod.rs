@@ -68,7 +68,7 @@ const RELATIONS: [Relation; 14] = [
 
 /// Tries every relation on every scene.
 pub(super) fn run(effort: &Effort, report: &mut Report) {
-    let scenes = effort.count(120, 10_000);
+    let scenes = effort.count(120, 10_000).max(12);
     let mut sums = vec![Sum::default(); RELATIONS.len()];
     for number in 0..scenes {
         let seed = effort.seed.wrapping_add(number);
