@@ -41,18 +41,22 @@ pub(super) fn run(effort: &Effort, report: &mut Report) {
         for separation in separations {
             let mut found = Found::default();
             for range in RANGES.into_iter().chain([(1.0, 1e12)]) {
-                found += pairs(effort, range, separation, format, &mut hard);
+                found += pairs(effort, &Setting { range, separation, format, slant: 1.0 }, &mut hard);
             }
             found.claim(format, separation, report);
         }
     }
     for format in [DepthFormat::Int24, DepthFormat::Int16] {
-        for (near, far) in RANGES {
-            let found = pairs(effort, (near, far), 1e-3, format, &mut hard);
-            let what = format!("{}, {near:e} to {far:e}, 1e-3 apart", format.name());
+        for range in RANGES {
+            let found = pairs(effort, &Setting { range, separation: 1e-3, format, slant: 1.0 }, &mut hard);
+            let what = format!("{}, {:e} to {:e}, 1e-3 apart", format.name(), range.0, range.1);
             report.measure(format!("share of samples wrong in some order, {what}"), found.share());
         }
     }
+    // Within one block of samples, single precision adds steps that are far larger than the depth itself.
+    let steep = Setting { range: (1.0, 1e12), separation: 1e-5, format: DepthFormat::F32, slant: 4.0 };
+    let found = pairs(effort, &steep, &mut Hardness::default());
+    report.measure("share of wrong samples, f32, 1e-5 apart, corners up to 256 times as far", found.share());
     report.some("samples asked", hard.samples);
     report.some("pairs seen at a slant of more than 2 in distance", hard.slanted);
     report.some("pairs farther than 1e6 times the near plane", hard.far);
@@ -106,29 +110,41 @@ impl Found {
     }
 }
 
+/// What pairs are made of.
+struct Setting {
+    /// Near and far.
+    range: (f64, f64),
+    /// Part of the distance by which the second is farther.
+    separation: f64,
+    format: DepthFormat,
+    /// Corners are up to 4 to the power of this times as far as each other.
+    slant: f64,
+}
+
 /// Pictures of pairs between two planes.
-fn pairs(effort: &Effort, (near, far): (f64, f64), separation: f64, depth: DepthFormat, hard: &mut Hardness) -> Found {
+fn pairs(effort: &Effort, setting: &Setting, hard: &mut Hardness) -> Found {
+    let ((near, far), separation) = (setting.range, setting.separation);
     let mut random = effort.random((far / near).to_bits() ^ separation.to_bits().rotate_left(17));
     let mut found = Found::default();
     for _ in 0..effort.count(3, 120) {
-        let front = triangles(&mut random, (near, far / 1.01), hard);
+        let front = triangles(&mut random, (near, far / 1.01), setting.slant, hard);
         let back: Vec<Vec<Vec3>> =
             front.iter().map(|corners| corners.iter().map(|&corner| corner * (1.0 + separation)).collect()).collect();
-        let here = judge((near, far), &front, &back, depth);
+        let here = judge((near, far), &front, &back, setting.format);
         hard.samples += here.samples;
         found += here;
     }
     found
 }
 
-/// One triangle a tile, its distance anywhere between the planes, its corners up to four times as far as each other.
-fn triangles(random: &mut Random, (near, far): (f64, f64), hard: &mut Hardness) -> Vec<Vec<Vec3>> {
+/// One triangle a tile, its distance anywhere between the planes, its corners at a slant.
+fn triangles(random: &mut Random, (near, far): (f64, f64), slant: f64, hard: &mut Hardness) -> Vec<Vec<Vec3>> {
     let side = f64::from(TILES * TILE);
     let mut all = Vec::new();
     for tile in 0..TILES * TILES {
         let distance = exp(random.between(log(near), log(far)));
         let origin = [tile % TILES, tile / TILES].map(|at| f64::from(at * TILE));
-        let slants = [0; 3].map(|_| pow(2.0, random.between(-1.0, 1.0)));
+        let slants = [0; 3].map(|_| pow(2.0, random.between(-slant, slant)));
         let corners = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)];
         let place = |(corner, slant): ((f64, f64), f64)| {
             let w = (distance * slant).clamp(near * 1.0001, far);

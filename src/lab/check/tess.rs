@@ -104,7 +104,7 @@ impl Posed {
 
     /// Whether `segments` hold the tolerance in all of some turns about.
     fn holds(&self, segments: u32, tolerance: f64, random: &mut Random) -> bool {
-        (0..16).all(|_| {
+        (0..40).all(|_| {
             let about = match self.shape {
                 Shape::Sphere { radius, .. } => self.facet_on_outline(segments, radius, random),
                 _ => about_z(random.unit() * 2.0 * PI),
@@ -125,7 +125,8 @@ impl Posed {
         let any = rotation(random).x_axis;
         let aside = if random.once_in(4) { any } else { outward };
         let aside = unit(aside - toward_eye * aside.dot(toward_eye)).unwrap_or(any);
-        let sine = radius / self.place.length();
+        // The plane of the facet passes through the eye.
+        let sine = radius * cos(half) * cos(half) / self.place.length();
         let on_outline = aside * (1.0 - sine * sine).sqrt() + toward_eye * sine;
         // From a frame around the facet to one around the place on the outline, turned about it by chance.
         let frame = |axis: Vec3| {

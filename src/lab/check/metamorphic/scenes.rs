@@ -34,6 +34,7 @@ pub(super) fn start(case: &mut Case) -> Result<Option<Pair>, String> {
     if case.choices.shading == Shading::Flat {
         return Ok(None);
     }
+    dull(case)?;
     let mut scene = case.scene.clone();
     for surface in &mut scene.surfaces {
         let mesh = &mut surface.mesh;
@@ -45,9 +46,8 @@ pub(super) fn start(case: &mut Case) -> Result<Option<Pair>, String> {
     Ok(Some(case.rounded(drawn(&scene, &case.choices)?.image, false)))
 }
 
-/// A wider picture of the same scale: everything stands whole pixels farther right. Only polygons that no plane cuts: a cut corner is
-/// snapped, and another plane cuts elsewhere.
-pub(super) fn shift(case: &mut Case) -> Result<Option<Pair>, String> {
+/// Leaves out the polygons that a plane cuts, and highlights.
+fn uncut(case: &mut Case) -> Result<(), String> {
     for surface in &mut case.scene.surfaces {
         let mesh = &mut surface.mesh;
         let outside = |&index: &u32| {
@@ -57,7 +57,20 @@ pub(super) fn shift(case: &mut Case) -> Result<Option<Pair>, String> {
         let outlines = &mesh.outlines;
         mesh.polygons.retain(|p| !outlines[p.start as usize..(p.start + p.count) as usize].iter().any(outside));
     }
+    dull(case)
+}
+
+/// Leaves out highlights: NFF's begin at once where the light rises over the surface, and there a last digit decides.
+fn dull(case: &mut Case) -> Result<(), String> {
+    case.scene.surfaces.iter_mut().for_each(|surface| surface.material.specular = 0.0);
     case.plain = drawn(&case.scene, &case.choices)?;
+    Ok(())
+}
+
+/// A wider picture of the same scale: everything stands whole pixels farther right. Only polygons that no plane cuts: a cut corner is
+/// snapped, and another plane cuts elsewhere.
+pub(super) fn shift(case: &mut Case) -> Result<Option<Pair>, String> {
+    uncut(case)?;
     if case.plain.list.is_empty() {
         return Ok(None);
     }
@@ -136,8 +149,10 @@ fn reflected(scene: &Scene, map: impl Fn(Vec3) -> Vec3 + Copy) -> Scene {
     scene
 }
 
-/// Columns become rows.
+/// Columns become rows. Only polygons that no plane cuts: the sides are cut left before top, and the corners then come in another order to
+/// where polygons are split.
 pub(super) fn exchange(case: &mut Case) -> Result<Option<Pair>, String> {
+    uncut(case)?;
     let scene = reflected(&case.scene, |at| Vec3::new(-at.y, -at.x, at.z));
     let turned = drawn(&scene, &case.choices)?.image;
     let actual = image_of(|x, y| turned.pixel(y, x));
@@ -146,6 +161,7 @@ pub(super) fn exchange(case: &mut Case) -> Result<Option<Pair>, String> {
 
 /// Left becomes right.
 pub(super) fn mirror(case: &mut Case) -> Result<Option<Pair>, String> {
+    dull(case)?;
     let scene = reflected(&case.scene, |at| Vec3::new(-at.x, at.y, at.z));
     let turned = drawn(&scene, &case.choices)?.image;
     let actual = image_of(|x, y| turned.pixel(SIDE as usize - 1 - x, y));
