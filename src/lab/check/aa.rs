@@ -23,7 +23,7 @@ const SAMPLES: [u32; 7] = [1, 2, 4, 8, 16, 32, 64];
 
 /// Fits the two laws.
 pub(super) fn run(effort: &Effort, report: &mut Report) {
-    let angles = effort.count(600, 40_000).max(40);
+    let angles = effort.count(600, 8_000).max(40);
     let mut points = Vec::new();
     let mut partial = 0;
     for samples in SAMPLES {

@@ -30,7 +30,7 @@ const COUNTED: u32 = 8;
 
 /// Random shapes at all tolerances.
 pub(super) fn run(effort: &Effort, report: &mut Report) {
-    let shapes = effort.count(6, 400).max(2);
+    let shapes = effort.count(6, 100).max(2);
     let mut large = 0;
     for (tolerance, part) in TOLERANCES.into_iter().zip(1..) {
         let mut random = effort.random(part);
