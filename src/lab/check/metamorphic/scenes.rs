@@ -8,8 +8,8 @@ use crate::color::Rgb;
 use crate::image::Image;
 use crate::math::{Vec3, pow};
 use crate::parse::{ParseOptions, read_nff};
-use crate::plan::{Choices, NeedsMode, Shading};
-use crate::scene::{LightSource, Scene};
+use crate::plan::{Choices, NeedsMode};
+use crate::scene::{LightSource, NormalSource, Scene};
 use crate::write::write_nff;
 
 /// Surfaces and the polygons of each in another order.
@@ -29,10 +29,14 @@ fn shuffle<T>(values: &mut [T], random: &mut super::Random) {
     }
 }
 
-/// Outlines that start at another corner. Flat light belongs to the first corner: not that.
+/// Outlines that start at another corner. Under light from far away facets have one color and are not split: which triangles a split gives,
+/// and which of them snapping flips, may depend on the first corner.
 pub(super) fn start(case: &mut Case) -> Result<Option<Pair>, String> {
-    if case.choices.shading == Shading::Flat {
-        return Ok(None);
+    let (to_light, place) = (Vec3::new(0.3, 0.5, 0.8), crate::scene::Place::default());
+    let source = LightSource::Directional { to_light };
+    case.scene.lights = vec![crate::scene::Light { source, color: Rgb::WHITE, intensity: None, place }];
+    for surface in &mut case.scene.surfaces {
+        surface.mesh.polygons.iter_mut().for_each(|polygon| polygon.normals = NormalSource::Facet);
     }
     dull(case)?;
     let mut scene = case.scene.clone();
