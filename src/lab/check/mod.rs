@@ -8,18 +8,26 @@
 //!
 //! Cost: seconds with [`Extent::Quick`]; [`Extent::Full`] is for the record and may take many minutes.
 
+mod aa;
+mod agree;
 mod clip;
+mod color;
 mod coverage;
 mod cts;
+mod depth;
+mod extremes;
 mod fuzz;
 mod hash;
+mod metamorphic;
 mod predicates;
 mod random;
+mod random_scenes;
 mod report;
 mod rings;
 mod scenes;
 mod seams;
 mod tally;
+mod tess;
 mod tri;
 mod unsnapped;
 
@@ -74,6 +82,37 @@ pub const CHECKS: &[Check] = &[
         name: "fuzz",
         claim: "nothing that is read, cut, split or drawn panics or makes a color that is not a number",
         run: fuzz::run,
+    },
+    Check {
+        name: "agree",
+        claim: "the z-buffer, Watkins and the exact oracle show the same polygon at every sample",
+        run: agree::run,
+    },
+    Check {
+        name: "depth",
+        claim: "the nearer polygon shows wherever it is nearer by 1e-5 of its distance (1e-12 with f64), whatever near, far and order",
+        run: depth::run,
+    },
+    Check { name: "color", claim: "colors run linearly in space, to half a level and 0.0005 more", run: color::run },
+    Check {
+        name: "aa",
+        claim: "A x A samples err as A to the power of -1.5, on axis edges as 1 / (A sqrt 12), never by more than 1 / (2 A)",
+        run: aa::run,
+    },
+    Check {
+        name: "extremes",
+        claim: "every item of the catalogue of extremes has its stated outcome",
+        run: extremes::run,
+    },
+    Check {
+        name: "tess",
+        claim: "outlines of shapes are within the asked tolerance, with hardly more segments than needed",
+        run: tess::run,
+    },
+    Check {
+        name: "metamorphic",
+        claim: "what must not change a picture does not, and what moves it moves it exactly",
+        run: metamorphic::run,
     },
 ];
 

@@ -1,0 +1,38 @@
+//! Items 97 to 102: terrain, what is written, and rasterizers of others.
+
+use super::tools::ensure;
+use super::{Effort, Item, Outcome, Trial::NotYet, Trial::Run};
+use crate::image::save::{SaveError, write_streamed, write_whole};
+use std::io::{Error, ErrorKind};
+use std::path::Path;
+
+const NO_TERRAIN: &str = "there is no terrain yet";
+
+pub(super) const ITEMS: &[Item] = &[
+    (97, "a flat heightfield, and one that is a cliff", NotYet(NO_TERRAIN)),
+    (98, "seams between levels of detail: no cracks at any pair", NotYet(NO_TERRAIN)),
+    (99, "a horizon 1e6 m away", NotYet(NO_TERRAIN)),
+    (100, "1e6 trees, whatever their order", NotYet("there is no forest yet")),
+    (101, "disk full, closed pipe, no memory: refused, no partial file", Run(writing)),
+    (102, "a student's rasterizer that misbehaves: contained and told", NotYet("rasterizers run unguarded")),
+];
+
+fn writing(_: &Effort) -> Outcome {
+    let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+    let path = folder.path().join("out.png");
+    std::fs::write(&path, "old").map_err(|error| error.to_string())?;
+    for kind in [ErrorKind::StorageFull, ErrorKind::BrokenPipe, ErrorKind::OutOfMemory] {
+        let half = write_streamed(&path, |out| {
+            out.write_all(&[7; 100_000])?;
+            Err(Error::from(kind))
+        });
+        ensure(half.is_err(), format!("{kind}: it was written"))?;
+        let kept = std::fs::read(&path).map_err(|error| error.to_string())?;
+        ensure(kept == b"old", format!("{kind}: the old file is gone"))?;
+        let left = std::fs::read_dir(folder.path()).map_err(|error| error.to_string())?.count();
+        ensure(left == 1, format!("{kind}: {left} files are left"))?;
+    }
+    let full = Path::new("/dev/full");
+    let refused = !full.exists() || matches!(write_whole(full, b"bytes"), Err(SaveError::DiskFull { .. }));
+    ensure(refused, "a full disk was not told")
+}
