@@ -117,13 +117,14 @@ fn neighbors(base: &Choices) -> Vec<Choices> {
     turned(&|choices| choices.triangles = true);
     turned(&|choices| choices.culling = Culling::None);
     turned(&|choices| (choices.shading, choices.flat) = (Shading::Flat, FlatRule::Sipp));
-    // A picture of 1996: integer coordinates, light after clipping, colors linear on the screen.
-    turned(&|choices| {
-        choices.subpixel_bits = 0;
-        choices.clip_light = ClipLight::Relight;
-        choices.interpolation = Interpolation::Screen;
-    });
+    all.push(as_in_1996(base));
     all
+}
+
+/// Integer coordinates, light after clipping, colors linear on the screen.
+fn as_in_1996(base: &Choices) -> Choices {
+    let (clip_light, interpolation) = (ClipLight::Relight, Interpolation::Screen);
+    Choices { subpixel_bits: 0, clip_light, interpolation, ..base.clone() }
 }
 
 /// Shading, samples and tolerance, and what else differs from the base.
@@ -132,11 +133,17 @@ fn name(rasterizer: &str, choices: &Choices, (first, base): (&str, &Choices), ha
     if has_shapes {
         words.push(format!("tol {}", choices.tolerance));
     }
+    if rasterizer != first {
+        words.push(format!("-r {rasterizer}"));
+    }
+    if *choices == as_in_1996(base) {
+        words.push("as in 1996".to_string());
+        return words.join(" ");
+    }
     let mut add = |differs: bool, word: String| words.extend(differs.then_some(word));
-    add(rasterizer != first, rasterizer.to_string());
     add(choices.subpixel_bits != base.subpixel_bits, format!("bits {}", choices.subpixel_bits));
     add(choices.depth != base.depth, format!("depth {}", choices.depth.name()));
-    add(choices.interpolation != base.interpolation, choices.interpolation.name().to_string());
+    add(choices.interpolation != base.interpolation, format!("interp {}", choices.interpolation.name()));
     add(choices.clip_light != base.clip_light, choices.clip_light.name().to_string());
     add(choices.transparency != base.transparency, choices.transparency.name().to_string());
     add(choices.triangles != base.triangles, "triangles".to_string());

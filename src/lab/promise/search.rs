@@ -18,7 +18,9 @@ use crate::plan::{Choices, DepthFormat, Plan, PlanError, Shading};
 /// Samples a pixel in each direction that are tried.
 const SAMPLES: [u32; 8] = [1, 2, 3, 4, 6, 8, 12, 16];
 /// A grid of more samples is not tried: it would take minutes.
-const MOST_SAMPLES: u64 = 1 << 27;
+const MOST_SAMPLES: u64 = 1 << 26;
+/// More samples that leave more than this part of the error do not help.
+const STALL: f64 = 0.9;
 /// Finer than the lab's: the last resort.
 const FINEST_TOLERANCE: f64 = 1.0 / 64.0;
 
@@ -30,12 +32,16 @@ pub(super) fn levels(
     plan: &Plan,
 ) -> Result<Option<usize>, PlanError> {
     let (mut choices, mut verdict) = shading(trials, court, base, has_shapes(plan))?;
+    let mut stalled = false;
     while !verdict.holds {
         let pixels = u64::from(plan.view.pixels.0) * u64::from(plan.view.pixels.1);
-        let next = finer(&choices, verdict.reached / court.levels, pixels);
+        let next = if stalled { None } else { finer(&choices, verdict.reached / court.levels, pixels) };
         let Some((next, reason)) = next.or_else(|| last_resort(&choices, has_shapes(plan))) else { return Ok(None) };
+        let (last, more_samples) = (verdict.reached, next.samples > choices.samples);
         choices = next;
         verdict = trials.try_levels(court, choices.clone(), reason)?;
+        // Twice the samples should leave a third of the error.
+        stalled = more_samples && verdict.reached > STALL * last;
     }
     back(trials, court, (choices, verdict), has_shapes(plan)).map(Some)
 }
