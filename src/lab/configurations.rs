@@ -6,7 +6,8 @@
 //! neighbors one knob at a time (what does this knob cost, what does it buy?), and all combinations of the three knobs that trade
 //! the most: shading, samples, tolerance. `--all` multiplies depth, sub-pixel bits and rasterizers in as well.
 //!
-//! A knob that a scene gives nothing to turn is left out: tolerance without shapes, integer depth without yon.
+//! A knob that a scene gives nothing to turn is left out: tolerance without shapes, integer depth without yon, rules of
+//! transparency without anything transparent.
 
 use crate::plan::{
     Choices, ClipLight, Culling, DepthFormat, FlatRule, Interpolation, Plan, PlanError, Shading, Transparency,
@@ -61,7 +62,7 @@ pub fn configurations(
     let mut all = vec![(first, base.clone())];
     all.extend(diagonal(base, has_shapes).into_iter().map(|choices| (first, choices)));
     all.extend(rasterizers.iter().map(|&(name, _)| (name, base.clone())));
-    all.extend(neighbors(base).into_iter().map(|choices| (first, choices)));
+    all.extend(neighbors(base, &plan).into_iter().map(|choices| (first, choices)));
     if spread == Spread::All {
         let fine = diagonal(base, has_shapes).into_iter().flat_map(|choices| product(&choices));
         let fine: Vec<Choices> = fine.collect();
@@ -102,7 +103,7 @@ fn product(choices: &Choices) -> Vec<Choices> {
 }
 
 /// The base with one knob turned: number formats, then the historic switches.
-fn neighbors(base: &Choices) -> Vec<Choices> {
+fn neighbors(base: &Choices, plan: &Plan) -> Vec<Choices> {
     let mut all = Vec::new();
     let mut turned = |turn: &dyn Fn(&mut Choices)| {
         let mut choices = base.clone();
@@ -113,7 +114,8 @@ fn neighbors(base: &Choices) -> Vec<Choices> {
     DepthFormat::ALL.iter().for_each(|&depth| turned(&|choices| choices.depth = depth));
     Interpolation::ALL.iter().for_each(|&way| turned(&|choices| choices.interpolation = way));
     ClipLight::ALL.iter().for_each(|&way| turned(&|choices| choices.clip_light = way));
-    Transparency::ALL.iter().for_each(|&rule| turned(&|choices| choices.transparency = rule));
+    let rules = if plan.survey.transparent_surfaces > 0 { Transparency::ALL } else { &[] };
+    rules.iter().for_each(|&rule| turned(&|choices| choices.transparency = rule));
     turned(&|choices| choices.triangles = true);
     turned(&|choices| choices.culling = Culling::None);
     turned(&|choices| (choices.shading, choices.flat) = (Shading::Flat, FlatRule::Sipp));

@@ -142,11 +142,16 @@ impl Chart {
     /// Names beside points, moved up or down where they would cover another one or leave the panel.
     fn labels(&mut self, places: &[(f64, f64)], names: &[&str], (right, bottom): (f64, f64)) {
         let mut taken: Vec<[f64; 4]> = places.iter().map(|&(x, y)| [x - 4.0, y - 4.0, x + 4.0, y + 4.0]).collect();
+        // The staircase, too.
+        for pair in places.windows(2) {
+            let ((x0, y0), (x1, y1)) = (pair[0], pair[1]);
+            taken.extend([[x0, y0, x1, y0], [x1, y0.min(y1), x1, y0.max(y1)]]);
+        }
         for (&(x, y), name) in places.iter().zip(names) {
             let width = name.chars().count() as f64 * LETTER;
             let box_at = |step: i32| {
                 let start = if x + 9.0 + width > right { x - 9.0 - width } else { x + 9.0 };
-                let base = y - 3.0 + f64::from(step) * 4.0;
+                let base = y - 5.0 + f64::from(step) * 4.0;
                 [start, base - LINE + 2.0, start + width, base + 2.0]
             };
             let free = |step: &i32| {
