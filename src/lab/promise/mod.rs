@@ -7,7 +7,8 @@
 //! from a formula alone. Formulas only say where to look (`search.rs`).
 //!
 //! A picture of more than 65,536 pixels is judged at 32,768 of them, one at random in each of as many equal shares. Then
-//! less than one in a thousand is allowed: so much less (two standard deviations) that chance hides a miss once in forty.
+//! less than one in a thousand is allowed: so much less (two standard deviations) that chance hides a miss once in forty. And
+//! as the rays themselves err a little, pixels must keep to 95 % of the limit.
 //!
 //! Cost: the truth (see [`super::truth`]) and some ten pictures.
 
@@ -121,6 +122,8 @@ pub enum PromiseError {
 /// Pictures of so many pixels are judged at every pixel; larger ones at [`SUBSET`].
 const WHOLE: u64 = 1 << 16;
 const SUBSET: u64 = 1 << 15;
+/// The rays themselves err, by about a level at an edge from black to white: pixels may reach only this part of the limit.
+const MARGIN: f64 = 0.95;
 
 /// Finds choices that keep `goal`; everything but shading, samples, tolerance, sub-pixel bits and depth is taken from `base`.
 ///
@@ -140,6 +143,7 @@ pub fn keep(
         Goal::Levels(levels) => {
             let some = (pixels > WHOLE).then(|| subset(pixels));
             let truth = Truth::new(scene, base, some)?;
+            let levels = levels * MARGIN;
             let court = Court { allowed: allowed(truth.pixels.len(), pixels), levels, truth: &truth };
             let found = search::levels(&mut trials, &court, base, &plan)?;
             (found, truth.pixels.len(), truth.source)
