@@ -4,9 +4,9 @@
 //! promise is judged anew at every pixel of the picture, by rays on grids: 4 x 4, and 12 x 12 where those differ. The search
 //! has other rays, and looks at half of the pixels of the larger pictures.
 
+use farop::color::{Encoding, Rgb};
 use farop::lab::errors::pixel_errors;
 use farop::lab::promise::{Goal, Promise, PromiseError, describe, keep};
-use farop::color::{Encoding, Rgb};
 use farop::lab::truth::{Source, Truth, levels};
 use farop::oracle::ray::Tracer;
 use farop::parse::{ParseOptions, read_nff};
@@ -123,7 +123,11 @@ fn main() {
                 Ok(promise) => {
                     let (wrong, pixels) = (broken(scene, &promise, levels), size.0 as usize * size.1 as usize);
                     let holds = wrong * 1000 <= pixels;
-                    if holds { kept += 1 } else { missed.push(name.as_str()) }
+                    if holds {
+                        kept += 1
+                    } else {
+                        missed.push(name.as_str())
+                    }
                     let verdict = if holds { "kept  " } else { "MISSED" };
                     let (tries, seconds) = (promise.attempts.len(), promise.seconds);
                     println!(

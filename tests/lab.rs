@@ -3,6 +3,7 @@
 #[path = "support/command.rs"]
 mod command;
 
+use command::{Desk, project_scene};
 use farop::image::{Picture, flip::flip, ssim::ssim};
 use farop::lab::configurations::{Configuration, Spread, configurations};
 use farop::lab::measure::Effort;
@@ -17,7 +18,6 @@ use farop::raster::{Rasterizer, Registry, ZBuffer};
 use farop::render::render;
 use farop::scene::{Scene, Shape};
 use std::time::Duration;
-use command::{Desk, project_scene};
 
 fn project(name: &str) -> Scene {
     let text = std::fs::read(project_scene(name)).expect("a scene of the project");
@@ -112,7 +112,11 @@ fn knobs_without_effect_are_left_out() {
     };
     // No shapes: no tolerance. No yon: no integer depth.
     let flat = count("star.nff", Spread::Sensible);
-    assert!(flat.iter().all(|of| !of.name.contains("tol") && !of.name.contains("depth int") && !of.name.contains("additive")), "{flat:?}");
+    assert!(
+        flat.iter()
+            .all(|of| !of.name.contains("tol") && !of.name.contains("depth int") && !of.name.contains("additive")),
+        "{flat:?}"
+    );
     assert!(count("highlight.nff", Spread::Sensible).len() > flat.len());
     assert!(count("star.nff", Spread::All).len() > flat.len());
     for all in [&flat, &count("highlight.nff", Spread::All)] {
@@ -128,7 +132,9 @@ fn where_rays_have_no_answer_the_finest_picture_stands_in() {
     surface.primitives[0].shape = Shape::Torus { ring_radius: 1.2, tube_radius: 0.4 };
     let truth = Truth::new(&scene, &small(24), None).expect("a usable view");
     assert!(matches!(truth.source, Source::OwnFinest(_)));
-    assert!(keep(&scene, &small(24), &ZBuffer, Goal::Pixels(0.5)).expect_err("no outline").to_string().contains("torus"));
+    assert!(
+        keep(&scene, &small(24), &ZBuffer, Goal::Pixels(0.5)).expect_err("no outline").to_string().contains("torus")
+    );
 }
 
 #[test]
@@ -163,11 +169,13 @@ fn the_command_writes_what_programs_read() {
 fn promises_are_kept() {
     for (name, levels) in [("highlight.nff", 30.0), ("shared_edge.nff", 40.0)] {
         let (scene, base) = (project(name), small(40));
-        let promise = keep(&scene, &base, &ZBuffer, Goal::Levels(levels)).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let promise =
+            keep(&scene, &base, &ZBuffer, Goal::Levels(levels)).unwrap_or_else(|error| panic!("{name}: {error}"));
         // Judged by other rays than the search's, and on the bytes: rounding adds half a level.
         let rays = trace(&scene, &Choices { samples: 12, ..base.clone() }).expect("rays").image().encode(base.encoding);
         let drawn = render(&scene, &promise.choices, Some(&ZBuffer)).expect("drawn").image.encode(base.encoding);
-        let wrong = rays.rgb().iter().zip(drawn.rgb()).filter(|(a, b)| f64::from(a.abs_diff(**b)) > levels + 1.0).count();
+        let wrong =
+            rays.rgb().iter().zip(drawn.rgb()).filter(|(a, b)| f64::from(a.abs_diff(**b)) > levels + 1.0).count();
         assert!(wrong <= 1, "{name}: {wrong} of 1600 pixels\n{}", promise.text());
         assert!(promise.attempts.last().is_some_and(|_| promise.error <= levels));
     }

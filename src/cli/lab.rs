@@ -19,7 +19,9 @@ use std::time::{Duration, Instant};
 
 /// What speed and accuracy cost each other: a table and a chart
 #[derive(Args)]
-#[command(after_help = "Examples:\n  farop lab spd:teapot:6 --plot lab.svg\n  farop lab scene.nff --size 256 -r zbuffer -r mine --csv lab.csv")]
+#[command(
+    after_help = "Examples:\n  farop lab spd:teapot:6 --plot lab.svg\n  farop lab scene.nff --size 256 -r zbuffer -r mine --csv lab.csv"
+)]
 pub(super) struct LabCommand {
     #[command(flatten)]
     scenes: SceneOptions,
@@ -72,13 +74,11 @@ impl LabCommand {
         let start = Instant::now();
         let truth = Truth::new(&loaded.scene, &base, None)?;
         let traced = start.elapsed();
-        let effort = Effort {
-            rounds: self.runs as usize,
-            budget: Duration::from_secs_f64(self.budget),
-            seed: self.seed,
-        };
+        let effort =
+            Effort { rounds: self.runs as usize, budget: Duration::from_secs_f64(self.budget), seed: self.seed };
         let bar = Bar::new();
-        let rows = lab::run(&loaded.scene, (&base, &truth), &list, (&effort, &|work, done, all| bar.show(work, done, all)))?;
+        let rows =
+            lab::run(&loaded.scene, (&base, &truth), &list, (&effort, &|work, done, all| bar.show(work, done, all)))?;
         bar.clear();
         self.report(&loaded.scene, &truth, &rows, traced)
     }

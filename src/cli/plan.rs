@@ -47,7 +47,8 @@ pub(super) fn promise(
     goal: Goal,
 ) -> Result<Promise, CliError> {
     let areas = registered.filter(|entry| entry.name != "wire");
-    let entry = areas.ok_or_else(|| CliError::failed("--max-error needs a rasterizer that draws areas, as -r zbuffer"))?;
+    let entry =
+        areas.ok_or_else(|| CliError::failed("--max-error needs a rasterizer that draws areas, as -r zbuffer"))?;
     promise::keep(scene, base, &*entry.rasterizer as &dyn Rasterizer, goal).map_err(CliError::failed)
 }
 

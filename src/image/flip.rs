@@ -105,8 +105,7 @@ fn blur(plane: &Plane, sensitivity: &[(f64, f64); 2]) -> Plane {
     let mut total = 0.0;
     for &(weight, spread) in sensitivity.iter().filter(|part| part.0 > 0.0) {
         let place = |step: i32| f64::from(step) / PIXELS_A_DEGREE;
-        let row: Vec<f64> =
-            (-radius..=radius).map(|step| exp(-PI * PI * place(step) * place(step) / spread)).collect();
+        let row: Vec<f64> = (-radius..=radius).map(|step| exp(-PI * PI * place(step) * place(step) / spread)).collect();
         let height = weight * (PI / spread).sqrt();
         total += height * row.iter().sum::<f64>() * row.iter().sum::<f64>();
         let part = separable(plane, &row, &row);
@@ -126,7 +125,9 @@ fn features(brightness: &Plane) -> Vec<[f64; 2]> {
         // Weights above and below 0 sum to 1 and -1, each for themselves.
         let part = |sign: f64| raw.iter().filter(|&&weight| weight * sign > 0.0).sum::<f64>().abs();
         let (above, below) = (part(1.0), part(-1.0));
-        raw.iter().map(|&weight| if weight > 0.0 { weight / above } else { weight / below.max(f64::MIN_POSITIVE) }).collect()
+        raw.iter()
+            .map(|&weight| if weight > 0.0 { weight / above } else { weight / below.max(f64::MIN_POSITIVE) })
+            .collect()
     };
     let (edge, point) = (weights(&|x| -x), weights(&|x| x * x / (deviation * deviation) - 1.0));
     let even = weights(&|_| 1.0);
@@ -202,11 +203,7 @@ fn largest_color_difference() -> f64 {
 /// A color difference compressed to 0..1: most of the range for differences below the knee.
 fn compressed(difference: f64, largest: f64) -> f64 {
     let (powered, knee) = (pow(difference, COLOR_EXPONENT), KNEE * largest);
-    if powered < knee {
-        HIGH / knee * powered
-    } else {
-        HIGH + (powered - knee) / (largest - knee) * (1.0 - HIGH)
-    }
+    if powered < knee { HIGH / knee * powered } else { HIGH + (powered - knee) / (largest - knee) * (1.0 - HIGH) }
 }
 
 #[cfg(test)]

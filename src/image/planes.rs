@@ -46,7 +46,9 @@ fn along_rows(plane: &Plane, weights: &[f64]) -> Plane {
         padded.resize(radius, first);
         padded.extend_from_slice(row);
         padded.resize(row.len() + 2 * radius, last);
-        values.extend(padded.windows(weights.len()).map(|near| near.iter().zip(weights).map(|(a, b)| a * b).sum::<f64>()));
+        values.extend(
+            padded.windows(weights.len()).map(|near| near.iter().zip(weights).map(|(a, b)| a * b).sum::<f64>()),
+        );
     }
     Plane { values, ..*plane }
 }
@@ -72,6 +74,8 @@ mod tests {
         assert_eq!(separable(&dot(true), &across, &down).values, [3.0, 1.0, 0.0, 0.0, 0.0, 0.0]);
         assert_eq!(separable(&dot(true), &[0.0, 1.0, 0.0], &across).values, [3.0, 0.0, 0.0, 1.0, 0.0, 0.0]);
         let weights = gaussian(5, 1.5);
-        assert!((weights.iter().sum::<f64>() - 1.0).abs() < 1e-15 && weights[5] > weights[4] && weights[0] == weights[10]);
+        assert!(
+            (weights.iter().sum::<f64>() - 1.0).abs() < 1e-15 && weights[5] > weights[4] && weights[0] == weights[10]
+        );
     }
 }

@@ -47,7 +47,12 @@ pub fn ssim(expected: &Picture, actual: &Picture) -> f64 {
 
 fn brightness(picture: &Picture) -> Plane {
     let of = |[r, g, b]: [u8; 3]| 0.2126 * f64::from(r) + 0.7152 * f64::from(g) + 0.0722 * f64::from(b);
-    Plane { width: picture.width(), height: picture.height(), values: picture.colors().map(of).collect(), repeat: false }
+    Plane {
+        width: picture.width(),
+        height: picture.height(),
+        values: picture.colors().map(of).collect(),
+        repeat: false,
+    }
 }
 
 #[cfg(test)]

@@ -148,9 +148,7 @@ pub fn silhouette(tracer: &Tracer<'_>, list: &DrawList, samples: u32) -> f64 {
     let polygons = Polygons::new(list, Vertices::Snapped, |_| true);
     let scale = f64::from(samples);
     // Both in pixels, whatever the list counts in.
-    let drawn = |x: f64, y: f64| {
-        crate::oracle::ray::silhouette::Region::contains(&polygons, x * scale, y * scale)
-    };
+    let drawn = |x: f64, y: f64| crate::oracle::ray::silhouette::Region::contains(&polygons, x * scale, y * scale);
     let seen = traced(tracer, |_| true);
     deviation(&seen, &drawn, tracer.size(), FARTHEST).largest
 }
@@ -177,13 +175,17 @@ mod tests {
         close(found.worst_levels, 51.0);
         close(found.rms_levels, (3.0 * 51.0 * 51.0 / 6.0_f64).sqrt());
         // What is brighter than the display is cut before it is compared.
-        let bright = color_errors(&self::truth(vec![Rgb::gray(3.0)]), &Image::new(1, 1, Rgb::gray(1.0)), Encoding::Srgb);
+        let bright =
+            color_errors(&self::truth(vec![Rgb::gray(3.0)]), &Image::new(1, 1, Rgb::gray(1.0)), Encoding::Srgb);
         assert_eq!(bright.worst_levels, 0.0);
     }
 
     #[test]
     fn one_in_a_thousand_may_exceed() {
         let values: Vec<f64> = (0..2000).map(f64::from).collect();
-        assert_eq!((exceeded_by(&values, 1000), exceeded_by(&values[..10], 1000), exceeded_by(&[], 1000)), (1997.0, 9.0, 0.0));
+        assert_eq!(
+            (exceeded_by(&values, 1000), exceeded_by(&values[..10], 1000), exceeded_by(&[], 1000)),
+            (1997.0, 9.0, 0.0)
+        );
     }
 }

@@ -59,8 +59,7 @@ pub enum Kind {
 
 impl Kind {
     /// All kinds, the one that the table's front is about first.
-    pub const ALL: [Kind; 6] =
-        [Kind::Rms, Kind::Worst, Kind::Thousandth, Kind::Visible, Kind::Silhouette, Kind::Flip];
+    pub const ALL: [Kind; 6] = [Kind::Rms, Kind::Worst, Kind::Thousandth, Kind::Visible, Kind::Silhouette, Kind::Flip];
 
     /// Name and unit.
     #[must_use]
@@ -92,11 +91,8 @@ impl Kind {
 /// The rows as points of one kind of error.
 #[must_use]
 pub fn points(rows: &[Row], kind: Kind) -> Vec<pareto::Point> {
-    let point = |row: &Row| pareto::Point {
-        time: row.timing.median,
-        spread: row.timing.spread,
-        error: kind.of(&row.errors),
-    };
+    let point =
+        |row: &Row| pareto::Point { time: row.timing.median, spread: row.timing.spread, error: kind.of(&row.errors) };
     rows.iter().map(point).collect()
 }
 
@@ -120,7 +116,8 @@ pub fn run(
         progress("judging", index, configurations.len());
         errors.push(judge.errors(configuration, *rasterizer)?);
     }
-    let borrowed: Vec<_> = configurations.iter().map(|(configuration, rasterizer)| (configuration, *rasterizer)).collect();
+    let borrowed: Vec<_> =
+        configurations.iter().map(|(configuration, rasterizer)| (configuration, *rasterizer)).collect();
     let timings = measure::measure(scene, &borrowed, effort, &|done, all| progress("timing", done, all));
     let rows = configurations.iter().zip(timings).zip(errors);
     Ok(rows.map(|((entry, timing), errors)| Row { configuration: entry.0.clone(), timing, errors }).collect())

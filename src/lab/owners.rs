@@ -53,7 +53,8 @@ pub fn wrong_coverage(list: &DrawList, drawn: &[Option<u32>]) -> Option<f64> {
         let owner = |x: usize, y: usize| exact.owner[y * width + x];
         for (y, x) in (0..height).flat_map(|y| (0..width).map(move |x| (y, x))) {
             let here = owner(x, y);
-            edges += u64::from((x + 1 < width && owner(x + 1, y) != here) || (y + 1 < height && owner(x, y + 1) != here));
+            edges +=
+                u64::from((x + 1 < width && owner(x + 1, y) != here) || (y + 1 < height && owner(x, y + 1) != here));
             let shown = drawn[(rows.start as usize + y) * width + x];
             wrong += u64::from(shown != here && !exact.disputed[y * width + x]);
         }
@@ -66,9 +67,14 @@ fn bands(list: &DrawList) -> Vec<std::ops::Range<u32>> {
     let rows = EXACT_SAMPLES / BANDS / list.width.max(1);
     if rows * BANDS >= list.height || rows == 0 {
         let rows = if rows == 0 { 1 } else { list.height };
-        return vec![list.height / 2 - (rows / 2).min(list.height / 2)..list.height.min(list.height / 2 + rows.div_ceil(2))];
+        return vec![
+            list.height / 2 - (rows / 2).min(list.height / 2)..list.height.min(list.height / 2 + rows.div_ceil(2)),
+        ];
     }
-    (0..BANDS).map(|band| (2 * band + 1) * list.height / (2 * BANDS) - rows / 2).map(|first| first..first + rows).collect()
+    (0..BANDS)
+        .map(|band| (2 * band + 1) * list.height / (2 * BANDS) - rows / 2)
+        .map(|first| first..first + rows)
+        .collect()
 }
 
 /// The placed surfaces of a scene, as rays and lists number them.

@@ -49,7 +49,9 @@ pub fn standings(points: &[Point]) -> Vec<Standing> {
             (false, true) => Standing::Dominated,
         }
     };
-    (0..points.len()).map(|own| if points[own].error.is_finite() { standing(own) } else { Standing::Dominated }).collect()
+    (0..points.len())
+        .map(|own| if points[own].error.is_finite() { standing(own) } else { Standing::Dominated })
+        .collect()
 }
 
 /// The indices of the front, the cheapest and least accurate first.

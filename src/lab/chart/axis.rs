@@ -48,7 +48,8 @@ impl Axis {
         let steps: &[f64] = if decades < 3.0 { &[1.0, 2.0, 5.0] } else { &[1.0] };
         let powers = (self.range.0 / ten).floor() as i32..=(self.range.1 / ten).ceil() as i32;
         let values = powers.flat_map(|power| steps.iter().map(move |step| (*step, power)));
-        let tick = |(step, power): (f64, i32)| Tick { value: step * pow(10.0, f64::from(power)), label: label(step, power) };
+        let tick =
+            |(step, power): (f64, i32)| Tick { value: step * pow(10.0, f64::from(power)), label: label(step, power) };
         values.map(tick).filter(|tick| (low..=high).contains(&tick.value)).collect()
     }
 }

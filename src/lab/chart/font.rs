@@ -42,7 +42,8 @@ mod tests {
 
     #[test]
     fn a_letter_is_what_it_looks_like() {
-        let shown: Vec<String> = rows('p').iter().map(|row| format!("{row:05b}").replace('0', ".").replace('1', "#")).collect();
+        let shown: Vec<String> =
+            rows('p').iter().map(|row| format!("{row:05b}").replace('0', ".").replace('1', "#")).collect();
         let drawn = [".....", ".....", "####.", "#...#", "#...#", "#...#", "####.", "#....", "#...."];
         assert_eq!(shown, drawn);
         assert_eq!(rows('~'), [0; 9]);

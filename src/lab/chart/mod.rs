@@ -21,10 +21,23 @@ use crate::image::Picture;
 /// Something drawn.
 #[derive(Clone, Debug, PartialEq)]
 enum Mark {
-    Line { from: (f64, f64), to: (f64, f64), color: Color },
-    Dot { at: (f64, f64), color: Color, filled: bool },
+    Line {
+        from: (f64, f64),
+        to: (f64, f64),
+        color: Color,
+    },
+    Dot {
+        at: (f64, f64),
+        color: Color,
+        filled: bool,
+    },
     /// `anchor`: 0 the text starts at `at`, 0.5 it is in the middle, 1 it ends there. `at` is on the base line.
-    Text { at: (f64, f64), text: String, anchor: f64, color: Color },
+    Text {
+        at: (f64, f64),
+        text: String,
+        anchor: f64,
+        color: Color,
+    },
 }
 
 /// The few colors of a chart.
@@ -100,7 +113,12 @@ impl Chart {
         let (x, y) = (Axis::new(&times, (left, right)), Axis::new(&errors, (bottom, top)));
         self.frame((&x, &y), (left, right), (top, bottom));
         self.text((left, corner.1 + 18.0), title, 0.0, Color::Ink);
-        self.text((left, corner.1 + 34.0), &format!("{} against milliseconds a frame (median)", kind.title()), 0.0, Color::Ink);
+        self.text(
+            (left, corner.1 + 34.0),
+            &format!("{} against milliseconds a frame (median)", kind.title()),
+            0.0,
+            Color::Ink,
+        );
 
         // What is worth least lies below.
         let marks = standings(&points);
@@ -156,7 +174,8 @@ impl Chart {
             };
             let free = |step: &i32| {
                 let own = box_at(*step);
-                own[3] < bottom && taken.iter().all(|b| own[2] < b[0] || own[0] > b[2] || own[3] < b[1] || own[1] > b[3])
+                own[3] < bottom
+                    && taken.iter().all(|b| own[2] < b[0] || own[0] > b[2] || own[3] < b[1] || own[1] > b[3])
             };
             // The nearest free place, above before below.
             let step = (0..80).flat_map(|step| [-step, step]).find(free).unwrap_or(0);
@@ -164,7 +183,11 @@ impl Chart {
             taken.push(own);
             self.text((own[0], own[3] - 2.0), name, 0.0, Color::Ink);
             if step.abs() > 3 {
-                self.line((x, y), (if own[0] > x { own[0] - 2.0 } else { own[2] + 2.0 }, own[3] - 5.0), Color::Dominated);
+                self.line(
+                    (x, y),
+                    (if own[0] > x { own[0] - 2.0 } else { own[2] + 2.0 }, own[3] - 5.0),
+                    Color::Dominated,
+                );
             }
         }
     }

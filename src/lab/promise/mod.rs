@@ -129,12 +129,7 @@ const MARGIN: f64 = 0.95;
 ///
 /// # Errors
 /// [`PromiseError`] when nothing that was tried keeps it.
-pub fn keep(
-    scene: &Scene,
-    base: &Choices,
-    rasterizer: &dyn Rasterizer,
-    goal: Goal,
-) -> Result<Promise, PromiseError> {
+pub fn keep(scene: &Scene, base: &Choices, rasterizer: &dyn Rasterizer, goal: Goal) -> Result<Promise, PromiseError> {
     let start = Instant::now();
     let plan = Plan::new(scene, base, rasterizer.accepts())?;
     let pixels = u64::from(plan.view.pixels.0) * u64::from(plan.view.pixels.1);
@@ -208,7 +203,11 @@ impl Promise {
         for attempt in &self.attempts {
             let verdict = if attempt.holds { "holds" } else { "fails" };
             let (error, time) = (attempt.error, attempt.time);
-            text += &format!("  {verdict} {error:>8.3} {unit:<6} {time:>8.1} ms  {}: {}\n", describe(&attempt.choices), attempt.reason);
+            text += &format!(
+                "  {verdict} {error:>8.3} {unit:<6} {time:>8.1} ms  {}: {}\n",
+                describe(&attempt.choices),
+                attempt.reason
+            );
         }
         let who = match &self.source {
             Source::Rays => "rays".to_string(),
@@ -252,7 +251,8 @@ impl Court<'_> {
     fn judge(&self, image: &Image, choices: &Choices) -> (usize, usize, f64) {
         let errors = pixel_errors(self.truth, image, choices.encoding);
         let mut largest: Vec<f64> = errors.map(|error| error.into_iter().fold(0.0, f64::max)).collect();
-        let even = largest.iter().zip(&self.truth.uneven).filter(|&(&error, &uneven)| error > self.levels && !uneven).count();
+        let even =
+            largest.iter().zip(&self.truth.uneven).filter(|&(&error, &uneven)| error > self.levels && !uneven).count();
         let all = largest.iter().filter(|&&error| error > self.levels).count();
         largest.sort_by(|a, b| b.total_cmp(a));
         (all, even, largest.get(self.allowed).copied().unwrap_or(0.0))
@@ -274,7 +274,13 @@ impl Trials<'_> {
         Ok(Verdict { attempt: self.attempts.len() - 1, holds, even, reached, time })
     }
 
-    fn try_outline(&mut self, tracer: &Tracer<'_>, choices: Choices, limit: f64, reason: &'static str) -> Result<usize, PlanError> {
+    fn try_outline(
+        &mut self,
+        tracer: &Tracer<'_>,
+        choices: Choices,
+        limit: f64,
+        reason: &'static str,
+    ) -> Result<usize, PlanError> {
         let start = Instant::now();
         let list = render::list(self.scene, &choices, Some(self.rasterizer))?;
         let time = start.elapsed().as_secs_f64() * 1e3;

@@ -87,7 +87,10 @@ fn finer(choices: &Choices, excess: f64, pixels: u64) -> Option<(Choices, &'stat
 /// When samples do not help any more.
 fn last_resort(choices: &Choices, has_shapes: bool) -> Option<(Choices, &'static str)> {
     if choices.shading != Shading::Phong {
-        return Some((Choices { shading: Shading::Phong, ..choices.clone() }, "samples do not help: light at every sample"));
+        return Some((
+            Choices { shading: Shading::Phong, ..choices.clone() },
+            "samples do not help: light at every sample",
+        ));
     }
     if has_shapes && choices.tolerance > FINEST_TOLERANCE {
         let tolerance = FINEST_TOLERANCE;
