@@ -64,17 +64,12 @@ pub fn wrong_coverage(list: &DrawList, drawn: &[Option<u32>]) -> Option<f64> {
 
 /// Bands of rows spread over the picture, or all of it.
 fn bands(list: &DrawList) -> Vec<std::ops::Range<u32>> {
-    let rows = EXACT_SAMPLES / BANDS / list.width.max(1);
-    if rows * BANDS >= list.height || rows == 0 {
-        let rows = if rows == 0 { 1 } else { list.height };
-        return vec![
-            list.height / 2 - (rows / 2).min(list.height / 2)..list.height.min(list.height / 2 + rows.div_ceil(2)),
-        ];
+    let rows = (EXACT_SAMPLES / BANDS / list.width.max(1)).max(1);
+    if rows * BANDS >= list.height {
+        return std::iter::once(0..list.height).collect();
     }
-    (0..BANDS)
-        .map(|band| (2 * band + 1) * list.height / (2 * BANDS) - rows / 2)
-        .map(|first| first..first + rows)
-        .collect()
+    let first = |band: u32| (2 * band + 1) * list.height / (2 * BANDS) - rows / 2;
+    (0..BANDS).map(|band| first(band)..first(band) + rows).collect()
 }
 
 /// The placed surfaces of a scene, as rays and lists number them.
