@@ -22,7 +22,7 @@
 //! | [`raster`] | the contract, the target, the z-buffer, Watkins, scan line, wire |
 //! | [`oracle`] | what the picture ought to be, found by other means |
 //! | [`render`] | the driver; why a sample shows what it shows |
-//! | [`lab`] | how accurate all this is, measured |
+//! | [`lab`] | how accurate all this is, and what more would cost, measured |
 //! | [`grade`] | probes that find a rasterizer's mistakes |
 //! | [`cli`] | the command line |
 //!
@@ -75,4 +75,6 @@ mod documents {
     struct Scanline;
     #[doc = include_str!("../docs/transparency.md")]
     struct Transparency;
+    #[doc = include_str!("../docs/lab.md")]
+    struct Lab;
 }

@@ -66,6 +66,11 @@ pub(super) fn notice(text: &str) {
     let _ = writeln!(std::io::stderr(), "notice: {text}");
 }
 
+/// Writes lines to stderr as they are.
+pub(super) fn tell(text: &str) {
+    let _ = write!(std::io::stderr(), "{text}");
+}
+
 /// Whether messages on stderr may be colored: a terminal, and `NO_COLOR` is not set.
 pub(super) fn stderr_has_color() -> bool {
     anstream::AutoStream::choice(&std::io::stderr()) != anstream::ColorChoice::Never

@@ -1,6 +1,7 @@
 //! Options that every picture-making command shares: text from the command line to [`Choices`] and view overrides.
 
 use crate::color::{Encoding, Rgb};
+use crate::lab::promise::Goal;
 use crate::math::Vec3;
 use crate::plan::{
     AngleSpan, Choices, ClipLight, Culling, DepthFormat, EXACT_SUBPIXELS, FlatRule, Interpolation, LightTerms,
@@ -69,6 +70,14 @@ pub(super) struct PictureOptions {
     threads: Option<u32>,
     #[command(flatten)]
     view: ViewOptions,
+}
+
+/// An error instead of the choices that make it.
+#[derive(Args, Clone, Debug)]
+pub(super) struct PromiseOptions {
+    /// Pick shading, samples, tolerance and depth: N levels that 1 pixel in 1000 may exceed, or Npx of the outline
+    #[arg(long, value_name = "N|Npx", conflicts_with_all = ["shading", "samples", "tolerance", "resolution", "depth"])]
+    pub max_error: Option<Goal>,
 }
 
 /// View, light and color: the command line wins over every file.

@@ -1,10 +1,12 @@
 //! `farop plan`: what the scene needs, what is chosen, and why.
 
 use super::error::{self, CliError};
-use super::options::PictureOptions;
+use super::options::{PictureOptions, PromiseOptions};
 use super::scenes::{SceneOptions, as_rasterizer, find_rasterizer, make_plan};
-use crate::plan::{EXACT_SUBPIXELS, Plan, PlanRow};
-use crate::raster::Registry;
+use crate::lab::promise::{self, Goal, Promise};
+use crate::plan::{Choices, EXACT_SUBPIXELS, Plan, PlanRow};
+use crate::raster::{Rasterizer, Registered, Registry};
+use crate::scene::Scene;
 use clap::Args;
 
 /// What scenes need, what is chosen, why, and what is saved
@@ -17,6 +19,8 @@ pub(super) struct PlanCommand {
     #[arg(short, long, value_name = "NAME", default_value = "zbuffer")]
     rasterizer: String,
     #[command(flatten)]
+    promise: PromiseOptions,
+    #[command(flatten)]
     picture: PictureOptions,
 }
 
@@ -24,9 +28,28 @@ impl PlanCommand {
     pub fn run(self, registry: &Registry) -> Result<(), CliError> {
         let loaded = self.scenes.load(&self.picture)?;
         let registered = find_rasterizer(registry, &self.rasterizer)?;
+        if let Some(goal) = self.promise.max_error {
+            let promise = promise(&loaded.scene, &self.picture.choices(), registered, goal)?;
+            let accepts = registered.map_or(crate::plan::Accepts::AnyPolygon, |entry| entry.rasterizer.accepts());
+            let plan = Plan::new(&loaded.scene, &promise.choices, accepts)?;
+            return error::print(&(promise.text() + &text(&plan)));
+        }
         let plan = make_plan(&loaded.scene, &self.picture, as_rasterizer(registered))?;
         error::print(&text(&plan))
     }
+}
+
+/// The choices that keep `goal` with a rasterizer that draws areas.
+pub(super) fn promise(
+    scene: &Scene,
+    base: &Choices,
+    registered: Option<&Registered>,
+    goal: Goal,
+) -> Result<Promise, CliError> {
+    let areas = registered.filter(|entry| entry.name != "wire");
+    let entry =
+        areas.ok_or_else(|| CliError::failed("--max-error needs a rasterizer that draws areas, as -r zbuffer"))?;
+    promise::keep(scene, base, &*entry.rasterizer as &dyn Rasterizer, goal).map_err(CliError::failed)
 }
 
 /// Levels of light, and the reflection models where there are others than NFF's.

@@ -1,7 +1,7 @@
 //! `farop render`: a picture, on disk or in the terminal.
 
 use super::error::{self, CliError};
-use super::options::PictureOptions;
+use super::options::{PictureOptions, PromiseOptions};
 use super::scenes::{SceneOptions, as_rasterizer, find_rasterizer};
 use super::stages::StageName;
 use super::stats::{self, StatsFormat};
@@ -43,6 +43,8 @@ pub(super) struct RenderCommand {
     #[arg(long, value_name = "N", conflicts_with = "only")]
     first: Option<usize>,
     #[command(flatten)]
+    promise: PromiseOptions,
+    #[command(flatten)]
     picture: PictureOptions,
 }
 
@@ -59,6 +61,11 @@ impl RenderCommand {
         let registered = find_rasterizer(registry, name)?;
         if let Some(path) = &self.output {
             check_extension(path)?;
+        }
+        if let Some(goal) = self.promise.max_error {
+            let promise = super::plan::promise(&loaded.scene, &choices, registered, goal)?;
+            error::tell(&promise.text());
+            choices = promise.choices;
         }
         if let Some(stage) = self.dump_stage {
             error::print(&stage.text(&loaded.scene, &choices, as_rasterizer(registered))?)?;

@@ -9,12 +9,15 @@
 //! Cost: 12 bytes a pixel for an [`Image`], 3 for a [`Picture`].
 
 mod file;
+pub mod flip;
 pub mod metrics;
 mod picture;
+mod planes;
 mod png;
 mod ppm;
 pub mod save;
 pub mod snapshot;
+pub mod ssim;
 mod summary;
 pub mod terminal;
 
