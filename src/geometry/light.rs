@@ -17,7 +17,7 @@ use crate::math::{Vec3, cos, radians, unit};
 use crate::plan::{ClipLight, FlatRule, Interpolation, Plan, Shading};
 use crate::scene::{Light, LightSource, Material, NormalSource, Place, Reflection, Scene};
 use crate::screen::Shader;
-use crate::screen::shader::{EyeLight, EyeSource, Spot, SurfaceShading};
+use crate::screen::shader::{BRIGHTEST, EyeLight, EyeSource, Spot, SurfaceShading};
 
 /// The choices that lighting depends on.
 pub(super) struct Lighting {
@@ -78,9 +78,9 @@ impl Lighting {
 
     /// Adds a surface to the shader, its colors decoded and multiplied, and returns its index there.
     pub fn push_surface(&self, material: &Material, place: Place, shader: &mut Shader) -> u32 {
-        let color = self.plan.encoding.decode(material.color);
+        let color = self.plan.encoding.decode(material.color).map(|light| light.min(BRIGHTEST));
         let terms = self.plan.terms;
-        let on = |term: bool, value: f64| if term { value } else { 0.0 };
+        let on = |term: bool, value: f64| if term { value.min(BRIGHTEST) } else { 0.0 };
         let ambient = material.ambient.unwrap_or(self.ambient * material.diffuse);
         // SIPP's `basic` has no diffuse coefficient.
         let is_basic = matches!(material.reflection, Reflection::Basic { .. });
@@ -195,7 +195,8 @@ fn eye_light(light: &Light, plan: &Plan) -> EyeLight {
             edge,
         }),
     };
-    EyeLight { source, color: light.color * light.intensity.unwrap_or(plan.light_intensity) }
+    let color = light.color * light.intensity.unwrap_or(plan.light_intensity);
+    EyeLight { source, color: color.map(|light| light.min(BRIGHTEST)) }
 }
 
 /// What varies at a vertex: the first three of its attributes.

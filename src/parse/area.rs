@@ -8,7 +8,7 @@
 //! Discrete & Computational Geometry 18, 1997; T. Dekker, Numerische Mathematik 18, 1971 (exact products).
 //! Cost: one cross product for a polygon that has area; about 300 additions a vertex for one that has none.
 
-use crate::math::{Vec3, unit};
+use crate::math::{Vec3, newell_normal, unit};
 
 /// Whether all vertices are on one line (or at one point): the polygon has no area.
 ///
@@ -38,6 +38,19 @@ pub fn turn_in_plane(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
     sum.add_product(difference(b.x, a.x), difference(c.y, a.y), 1.0);
     sum.add_product(difference(b.y, a.y), difference(c.x, a.x), -1.0);
     sum.largest_part()
+}
+
+/// How far corners lie outside the polygon's plane, as a part of the polygon's size; 0 where it has no plane.
+///
+/// The plane is the one of the Newell normal through the mean of the corners.
+#[must_use]
+pub fn out_of_plane(outline: &[Vec3]) -> f64 {
+    let middle = outline.iter().sum::<Vec3>() / outline.len() as f64;
+    let Some(normal) = unit(newell_normal(outline)).filter(|_| middle.is_finite()) else { return 0.0 };
+    let reach =
+        |measure: &dyn Fn(Vec3) -> f64| outline.iter().map(|&corner| measure(corner - middle)).fold(0.0, f64::max);
+    let size = 2.0 * reach(&|offset| offset.length());
+    if size > 0.0 { reach(&|offset| normal.dot(offset).abs()) / size } else { 0.0 }
 }
 
 /// `normal` with length 1, zero where it has no direction.

@@ -16,7 +16,7 @@ use super::weld::Weld;
 use crate::color::Rgb;
 use crate::diagnostic::Span;
 use crate::math::{Affine3, Vec3, newell_normal};
-use crate::parse::area::{is_collinear, unit_normal};
+use crate::parse::area::{is_collinear, out_of_plane, unit_normal};
 use crate::parse::{ParseOptions, Winding};
 use crate::scene::{
     Light, Material, Mesh, NormalSource, Object, ObjectId, Place, Primitive, Reflection, Scene, Shape, Surface,
@@ -149,6 +149,9 @@ impl Builder {
         let disagrees = corners.positions.len() > 3 && !first_corner_agrees(&corners.positions);
         if disagrees {
             self.notices.note(Oddity::FirstCorner, keyword);
+        }
+        if corners.positions.len() > 3 {
+            self.notices.note_residual(out_of_plane(&corners.positions), keyword);
         }
 
         if is_patch {

@@ -19,6 +19,8 @@ pub(super) enum Oddity {
     TurnedOver,
     /// The first corner of a polygon does not give the polygon's normal.
     FirstCorner,
+    /// A polygon whose corners do not lie in one plane.
+    NotPlanar,
     /// A sphere or cone of radius 0.
     NoRadius,
     /// A cone whose ends coincide.
@@ -38,7 +40,12 @@ pub(super) enum Oddity {
 pub(super) struct Notices {
     /// Kind, how many, the first.
     found: Vec<(Oddity, usize, Span)>,
+    /// How far the worst polygon is from its plane, as a part of its size.
+    residual: f64,
 }
+
+/// Text of six digits is this rough, and a little more.
+const PLANAR: f64 = 1e-5;
 
 impl Notices {
     /// Counts one more.
@@ -54,9 +61,27 @@ impl Notices {
         }
     }
 
+    /// Counts a polygon that is out of its plane by `residual` of its size, where that is more than text is rough.
+    pub(super) fn note_residual(&mut self, residual: f64, span: Span) {
+        if residual > PLANAR {
+            self.residual = self.residual.max(residual);
+            self.note(Oddity::NotPlanar, span);
+        }
+    }
+
     /// One notice a kind, in the order the kinds appeared.
     pub(super) fn list(&self) -> Vec<Diagnostic> {
-        self.found.iter().map(|&(oddity, count, span)| tell(oddity, count, span)).collect()
+        let tell = |&(oddity, count, span): &(Oddity, usize, Span)| {
+            let notice = tell(oddity, count, span);
+            if oddity != Oddity::NotPlanar {
+                return notice;
+            }
+            notice.help(format!(
+                "the worst is out of its plane by {:.2e} of its size; triangles are always planar",
+                self.residual
+            ))
+        };
+        self.found.iter().map(tell).collect()
     }
 }
 
@@ -68,6 +93,7 @@ fn tell(oddity: Oddity, count: usize, span: Span) -> Diagnostic {
         Oddity::ZeroNormal => ("vertex has", "vertices have", None),
         Oddity::TurnedOver => ("patch was", "patches were", Some("`--winding file` keeps the order of the file")),
         Oddity::FirstCorner => ("polygon has", "polygons have", None),
+        Oddity::NotPlanar => ("polygon is", "polygons are", None),
         Oddity::NoRadius => ("shape has", "shapes have", None),
         Oddity::FlatCone => ("cone has", "cones have", None),
         Oddity::BrightColor => ("color is", "colors are", None),
@@ -84,6 +110,7 @@ fn tell(oddity: Oddity, count: usize, span: Span) -> Diagnostic {
         Oddity::ZeroNormal => "the normal 0 0 0: the polygon's own normal is used there",
         Oddity::TurnedOver => "turned over: the order of the vertices and their normals disagreed",
         Oddity::FirstCorner => "a first corner that is straight or reflex: the normal is that of the whole outline",
+        Oddity::NotPlanar => "not planar: drawn in the plane of the whole outline",
         Oddity::NoRadius => "radius 0: dropped",
         Oddity::FlatCone => "both ends at the same point: drawn as a disc or ring that faces +z",
         Oddity::BrightColor => "brighter than 1: kept, and cut off in the picture",

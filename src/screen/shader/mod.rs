@@ -36,6 +36,9 @@ pub struct Shader {
     powers: AtomicU64,
 }
 
+/// Light and coefficients above this count as this: no scene means more, and `f32` and sums of thousands of them stay finite.
+pub const BRIGHTEST: f64 = 1e30;
+
 impl Shader {
     /// Light that the point `eye` of a surface with unit normal `normal` sends to the eye, which stands at the origin.
     ///
@@ -58,7 +61,7 @@ impl Shader {
                 specular += color * self.highlight(surface, mirrored.dot(view));
             }
         }
-        surface.sent(diffuse, specular)
+        surface.sent(diffuse, specular).map(|light| light.min(BRIGHTEST))
     }
 
     /// The highlight of `surface` where the mirrored light and the eye are `cosine` apart; none where it is not above 0.

@@ -101,6 +101,6 @@ fn second_view(_: &Effort) -> Outcome {
 }
 
 fn long_line(effort: &Effort) -> Outcome {
-    let line = "7".repeat(effort.count(2_000_000, 100_000_000).max(1_100_000) as usize);
-    refused(format!("# one\np {line}"), &["x.nff:2:1", "1000000"])
+    let line = "7".repeat(effort.count(12_000_000, 100_000_000).max(11_000_000) as usize);
+    refused(format!("# one\np {line}"), &["x.nff:2:1", "10000000"])
 }

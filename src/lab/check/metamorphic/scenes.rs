@@ -6,7 +6,7 @@ use super::super::random_scenes::{SIDE, hard};
 use super::{Case, Effort, Pair, Report, case, drawn};
 use crate::color::Rgb;
 use crate::image::Image;
-use crate::math::{Vec3, pow};
+use crate::math::{Vec3, newell_normal, pow};
 use crate::parse::{ParseOptions, read_nff};
 use crate::plan::{Choices, NeedsMode};
 use crate::scene::{LightSource, NormalSource, Scene};
@@ -30,13 +30,17 @@ fn shuffle<T>(values: &mut [T], random: &mut super::Random) {
 }
 
 /// Outlines that start at another corner. Under light from far away facets have one color and are not split: which triangles a split gives,
-/// and which of them snapping flips, may depend on the first corner.
+/// and which of them snapping flips, may depend on the first corner. Needles are left out: the normal is summed from the first corner, and
+/// rounding turns the normal of a needle by as much as the needle is long for its width.
 pub(super) fn start(case: &mut Case) -> Result<Option<Pair>, String> {
     let (to_light, place) = (Vec3::new(0.3, 0.5, 0.8), crate::scene::Place::default());
     let source = LightSource::Directional { to_light };
     case.scene.lights = vec![crate::scene::Light { source, color: Rgb::WHITE, intensity: None, place }];
     for surface in &mut case.scene.surfaces {
-        surface.mesh.polygons.iter_mut().for_each(|polygon| polygon.normals = NormalSource::Facet);
+        let mesh = &mut surface.mesh;
+        mesh.polygons.iter_mut().for_each(|polygon| polygon.normals = NormalSource::Facet);
+        let (vertices, outlines) = (&mesh.vertices, &mesh.outlines);
+        mesh.polygons.retain(|p| !is_needle(&outlines[p.start as usize..(p.start + p.count) as usize], vertices));
     }
     dull(case)?;
     let mut scene = case.scene.clone();
@@ -48,6 +52,13 @@ pub(super) fn start(case: &mut Case) -> Result<Option<Pair>, String> {
         }
     }
     Ok(Some(case.rounded(drawn(&scene, &case.choices)?.image, false)))
+}
+
+/// Twice the area is less than a thousandth of the square of the extent.
+fn is_needle(outline: &[u32], vertices: &[Vec3]) -> bool {
+    let corners: Vec<Vec3> = outline.iter().map(|&index| vertices[index as usize]).collect();
+    let extent = corners.iter().map(|&corner| (corner - corners[0]).length()).fold(0.0, f64::max);
+    newell_normal(&corners).length() < 1e-3 * extent * extent
 }
 
 /// Leaves out the polygons that a plane cuts, and highlights.
