@@ -57,6 +57,8 @@ mod documents {
     struct Readme;
     #[doc = include_str!("../docs/tour.md")]
     struct Tour;
+    #[doc = include_str!("../docs/accuracy.md")]
+    struct Accuracy;
     #[doc = include_str!("../docs/conventions.md")]
     struct Conventions;
     #[doc = include_str!("../docs/glossary.md")]

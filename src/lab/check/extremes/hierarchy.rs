@@ -2,9 +2,10 @@
 
 use super::super::random_scenes::{camera, facets, scene, surface};
 use super::tools::{SIDE, both_sides, covered, draw, ensure, mask, on_screen};
-use super::{Effort, Item, Outcome, Trial::NotYet, Trial::Run};
+use super::{Effort, Item, Outcome, Trial::Run};
 use crate::math::{Affine3, Mat3, PI, Vec3, cos, sin, unit};
 use crate::model::normals_from;
+use crate::parse::{ParseOptions, read_sipp};
 use crate::plan::Choices;
 use crate::scene::{Material, Object, ObjectId, Place, Scene, SurfaceId};
 
@@ -17,8 +18,18 @@ pub(super) const ITEMS: &[Item] = &[
     (93, "a mirroring matrix: outlines and normals turn together", Run(mirroring)),
     (94, "scale (1, 1, 1e-8): normals right to 4 last digits", Run(flat_scale)),
     (95, "10,000 chained rotations: drift below 1e-12", Run(chained)),
-    (96, "a perspective row in an object's matrix: refused", NotYet("no format with matrices is read yet")),
+    (96, "a perspective row in an object's matrix: refused", Run(perspective_row)),
 ];
+
+/// The scene language takes matrices of four rows of three; what has a fourth column is refused, perspective or not.
+fn perspective_row(_: &Effort) -> Outcome {
+    let text = b"shader s phong {} world { cube { size 1 shader s } matrix 1 0 0 0  0 1 0 0  0 0 1 .5  0 0 0 1 }";
+    match read_sipp("x.sipp", text, ParseOptions::default()) {
+        Ok(_) => Err("it was read".to_string()),
+        Err(errors) if errors.to_string().contains("x.sipp:1:") => Ok(()),
+        Err(errors) => Err(format!("no place is named: {errors}")),
+    }
+}
 
 /// Objects of a given placement and children, the first of them the world's; a triangle belongs to the last.
 fn tree(objects: Vec<(Affine3, Vec<u32>)>) -> Scene {
