@@ -24,7 +24,7 @@ impl PlanCommand {
     pub fn run(self, registry: &Registry) -> Result<(), CliError> {
         let loaded = self.scenes.load(&self.picture)?;
         let registered = find_rasterizer(registry, &self.rasterizer)?;
-        let plan = make_plan(&loaded.scene, &self.picture, as_rasterizer(registered))?;
+        let plan = make_plan(&loaded.scene, &self.picture, as_rasterizer(&registered))?;
         error::print(&text(&plan))
     }
 }
