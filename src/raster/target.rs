@@ -34,6 +34,8 @@ pub struct PutCounts {
     pub most: BTreeMap<&'static str, u64>,
     /// Why there is no picture: a program outside farop that did not give one; see [`Target::fail`].
     pub failure: Option<String>,
+    /// Something about how the picture came about that users should know; see [`Target::note`].
+    pub note: Option<String>,
 }
 
 impl std::ops::AddAssign for PutCounts {
@@ -49,6 +51,7 @@ impl std::ops::AddAssign for PutCounts {
             *most = count.max(*most);
         }
         self.failure = self.failure.take().or(other.failure);
+        self.note = self.note.take().or(other.note);
     }
 }
 
@@ -183,6 +186,11 @@ impl Target<'_> {
     /// There is no picture, and `why`: whoever asked for one says so and writes none.
     pub fn fail(&mut self, why: impl std::fmt::Display) {
         self.counts.failure.get_or_insert_with(|| why.to_string());
+    }
+
+    /// Something that `--stats` tells about how the picture came about.
+    pub fn note(&mut self, text: impl std::fmt::Display) {
+        self.counts.note.get_or_insert_with(|| text.to_string());
     }
 
     /// Adds `count` to what the rasterizer counts under `name`: `--stats` prints it.

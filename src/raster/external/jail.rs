@@ -69,6 +69,8 @@ mod linux {
     use nix::sys::resource::{Resource, setrlimit};
     use seccompiler::{BpfProgram, SeccompAction, SeccompFilter, apply_filter};
     use std::collections::BTreeMap;
+    use std::os::unix::fs::MetadataExt;
+    use std::path::Path;
 
     pub fn resources(limits: &Limits) -> nix::Result<()> {
         let all = [
@@ -77,8 +79,20 @@ mod linux {
             (Resource::RLIMIT_FSIZE, limits.file),
             (Resource::RLIMIT_NOFILE, 64),
             (Resource::RLIMIT_CORE, 0),
+            // It counts all that the user runs, threads too, and is ignored for root: the parent counts as well.
+            (Resource::RLIMIT_NPROC, tasks_of_this_user() + limits.processes * 4),
         ];
         all.into_iter().try_for_each(|(resource, limit)| setrlimit(resource, limit, limit))
+    }
+
+    fn tasks_of_this_user() -> u64 {
+        let owner = |path: &Path| std::fs::metadata(path).ok().map(|data| data.uid());
+        let (own, folder) = (owner(Path::new("/proc/self")), std::fs::read_dir("/proc"));
+        let threads = |process: std::fs::DirEntry| {
+            let mine = owner(&process.path()) == own;
+            mine.then(|| std::fs::read_dir(process.path().join("task")).map_or(0, |tasks| tasks.count() as u64))
+        };
+        folder.map_or(0, |folder| folder.flatten().filter_map(threads).sum())
     }
 
     /// Whether writing (and reading, if so wished) is confined.

@@ -129,10 +129,10 @@ pub fn serve(name: &OsStr) -> u8 {
 
 fn load_and_serve(path: &Path) -> Result<(), String> {
     // SAFETY: loading runs the library's initializers, which may do anything. That is why this process is in the jail.
-    let library = unsafe { libloading::Library::new(existing(path)?) }.map_err(|error| error.to_string())?;
+    let library = unsafe { libloading::Library::new(existing(path)?) }.map_err(with_source)?;
     // SAFETY: the header declares the function with this type. A library that defines it otherwise harms this process only.
     let draw = unsafe { library.get::<Draw>(c"farop_draw") };
-    let draw = draw.map_err(|error| format!("it has no function `farop_draw`: {error}"))?;
+    let draw = draw.map_err(|error| format!("it has no function `farop_draw`: {}", with_source(error)))?;
     let mut input = std::io::stdin().lock();
     while let Some(text) = next_file(&mut input).map_err(|error| error.to_string())? {
         let file = read(&text, &ReadOptions::default()).map_err(|error| error.to_string())?;
@@ -141,6 +141,11 @@ fn load_and_serve(path: &Path) -> Result<(), String> {
         std::io::stdout().lock().write_all(&out).map_err(|error| error.to_string())?;
     }
     Ok(())
+}
+
+/// The loader's own words, which stand one level below.
+fn with_source(error: libloading::Error) -> String {
+    std::error::Error::source(&error).map_or(error.to_string(), ToString::to_string)
 }
 
 /// The next screen file of a stream: up to its line `end`.

@@ -171,7 +171,10 @@ impl Rasterizer for External {
         let (background, transparency) = (target.background(), target.transparency());
         let sheet = Sheet { background, transparency, ..Sheet::default() };
         match self.picture(list, &sheet) {
-            Ok(answer) => show(&answer.image, target),
+            Ok(answer) => {
+                target.note(answer.enforced);
+                show(&answer.image, target);
+            }
             Err(failure) => target.fail(format!("{}: {failure}", self.name)),
         }
     }
