@@ -45,7 +45,9 @@ pub fn run(registry: &Registry, arguments: impl IntoIterator<Item = std::ffi::Os
     // How farop starts itself for rasterizers outside of it: nothing that a user types.
     match arguments.get(1).and_then(|word| word.to_str()) {
         Some("__jail") => return ExitCode::from(external::enter_jail(&arguments[2..])),
-        Some("__host") => return ExitCode::from(external::serve_library(&arguments.get(2).cloned().unwrap_or_default())),
+        Some("__host") => {
+            return ExitCode::from(external::serve_library(&arguments.get(2).cloned().unwrap_or_default()));
+        }
         _ => {}
     }
     let cli = match Cli::try_parse_from(arguments) {

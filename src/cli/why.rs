@@ -50,7 +50,8 @@ impl WhyCommand {
             return Err(CliError::failed(format!("pixel {x},{y} is outside the picture of {width}x{height}")));
         }
         // A program outside farop gives a picture; which polygon it put where only the program knows.
-        let picture = if outside { Some(picture_of(&loaded.scene, &choices, &rendered, as_rasterizer(&chosen))?) } else { None };
+        let picture =
+            if outside { Some(picture_of(&loaded.scene, &choices, &rendered, as_rasterizer(&chosen))?) } else { None };
         let mut text = String::new();
         let corner = (self.pixel.0 * choices.samples, self.pixel.1 * choices.samples);
         for sample in 0..choices.samples * choices.samples {

@@ -49,7 +49,24 @@ pub(super) fn read(bytes: &[u8], size: (u32, u32), stderr: &str) -> Result<Image
     Ok(head.light(pixels))
 }
 
-/// The PF picture of `image`: what the host of a library answers.
+/// The pictures in `bytes`, one of each of `sizes`; `None` unless exactly these are there.
+pub(super) fn read_all(bytes: &[u8], sizes: impl Iterator<Item = (u32, u32)>) -> Option<Vec<Image>> {
+    let mut rest = bytes;
+    let mut next = |size: (u32, u32)| {
+        let picture = rest.trim_ascii_start();
+        let head = Head::read(picture).ok()?;
+        if head.size != (u64::from(size.0), u64::from(size.1)) {
+            return None;
+        }
+        let end = head.length + head.pixel_bytes();
+        rest = picture.get(end..)?;
+        Some(head.light(&picture[head.length..end]))
+    };
+    let images = sizes.map(&mut next).collect::<Option<Vec<_>>>()?;
+    rest.trim_ascii_start().is_empty().then_some(images)
+}
+
+/// The PF picture of rows of light, `width` samples each: what the host of a library answers.
 pub(super) fn write_floats(width: usize, rgb: &[f32], out: &mut Vec<u8>) {
     let row = width * 3;
     let height = rgb.len().checked_div(row).unwrap_or(0);
@@ -143,16 +160,17 @@ fn not_a_picture(bytes: &[u8], what: String) -> ExternalFailure {
         return ExternalFailure::TextPicture;
     }
     let searched = &bytes[..bytes.len().min(SEARCHED)];
-    let is_start = |at: &usize| matches!(&searched[*at..*at + 2], b"P6" | b"P3") && Head::read(&searched[*at..]).is_ok();
-    let behind = (1..searched.len().saturating_sub(2)).find(|at| is_start(at) || text_picture_at(searched, *at));
+    let behind = (1..searched.len()).find(|&at| is_picture(&searched[at..]));
     match behind {
         Some(at) => ExternalFailure::TextBefore { shown: shown(&bytes[..at]) },
         None => ExternalFailure::BadPicture(what),
     }
 }
 
-fn text_picture_at(bytes: &[u8], at: usize) -> bool {
-    bytes[at..].starts_with(b"P3") && bytes.get(at + 2).is_some_and(u8::is_ascii_whitespace)
+/// Whether a picture begins here: a head that can be read, or that of a P3.
+fn is_picture(bytes: &[u8]) -> bool {
+    let is_text = bytes.starts_with(b"P3") && bytes.get(2).is_some_and(u8::is_ascii_whitespace);
+    is_text || Head::read(bytes).is_ok()
 }
 
 /// Names the change that makes a whole picture of `length` bytes out of `bytes` when it is undone.
@@ -197,6 +215,16 @@ mod tests {
     }
 
     #[test]
+    fn several_pictures_are_all_there_or_none() {
+        let two = b"P6 1 1 255\n   \nP6 2 1 255\nabcdef".as_slice();
+        let sizes = |all: &'static [(u32, u32)]| read_all(two, all.iter().copied()).map(|images| images.len());
+        assert_eq!(sizes(&[(1, 1), (2, 1)]), Some(2));
+        assert_eq!(sizes(&[(1, 1)]), None);
+        assert_eq!(sizes(&[(1, 1), (1, 2)]), None);
+        assert_eq!(sizes(&[(1, 1), (2, 1), (1, 1)]), None);
+    }
+
+    #[test]
     fn every_accident_has_its_name() {
         let pixels = [200, 10, 13, 10, 10, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12];
         let with_head = |head: &str| [head.as_bytes(), &pixels].concat();
@@ -216,7 +244,8 @@ mod tests {
 
     #[test]
     fn damage_by_text_mode_is_recognized() {
-        let good = [b"P6\n3 2\n255\n".as_slice(), &[200, 10, 1, 10, 10, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12]].concat();
+        let good =
+            [b"P6\n3 2\n255\n".as_slice(), &[200, 10, 1, 10, 10, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12]].concat();
         let windows: Vec<u8> =
             good.iter().flat_map(|&byte| if byte == 10 { vec![13, 10] } else { vec![byte] }).collect();
         assert_eq!(fails(&windows), "text-mode");

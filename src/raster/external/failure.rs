@@ -72,7 +72,9 @@ pub enum ExternalFailure {
         stderr: String,
     },
     /// The picture ends early.
-    #[error("the picture ends early: its pixels need {expected} bytes, {got} came; is the output closed or flushed at the end?")]
+    #[error(
+        "the picture ends early: its pixels need {expected} bytes, {got} came; is the output closed or flushed at the end?"
+    )]
     TooShort {
         /// Bytes of all pixels.
         expected: u64,
@@ -80,13 +82,17 @@ pub enum ExternalFailure {
         got: u64,
     },
     /// Something stands before the picture.
-    #[error("standard output must hold the picture and nothing else, but before it stands `{shown}`: print messages to standard error")]
+    #[error(
+        "standard output must hold the picture and nothing else, but before it stands `{shown}`: print messages to standard error"
+    )]
     TextBefore {
         /// Its beginning.
         shown: String,
     },
     /// Something stands behind the picture.
-    #[error("{bytes} bytes follow the last pixel, beginning with `{shown}`: standard output must hold the picture and nothing else")]
+    #[error(
+        "{bytes} bytes follow the last pixel, beginning with `{shown}`: standard output must hold the picture and nothing else"
+    )]
     TextAfter {
         /// How many.
         bytes: u64,
@@ -156,7 +162,9 @@ fn signal_words(signal: i32) -> String {
         7 => "SIGBUS, an address that cannot be",
         8 => "SIGFPE, a whole number divided by 0",
         9 => "SIGKILL, stopped from outside",
-        11 => "SIGSEGV, it used memory that is not its own: an index outside an array, a null pointer, endless recursion",
+        11 => {
+            "SIGSEGV, it used memory that is not its own: an index outside an array, a null pointer, endless recursion"
+        }
         24 => "SIGXCPU, more processor time than it may have",
         25 => "SIGXFSZ, it wrote to a file, which it may not",
         31 => "SIGSYS, a system call that it may not use",

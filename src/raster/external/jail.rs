@@ -64,7 +64,9 @@ fn restrict(limits: &Limits) -> Enforced {
 #[cfg(target_os = "linux")]
 mod linux {
     use super::Limits;
-    use landlock::{ABI, Access, AccessFs, Ruleset, RulesetAttr, RulesetCreatedAttr, RulesetStatus, path_beneath_rules};
+    use landlock::{
+        ABI, Access, AccessFs, Ruleset, RulesetAttr, RulesetCreatedAttr, RulesetStatus, path_beneath_rules,
+    };
     use nix::libc;
     use nix::sys::resource::{Resource, setrlimit};
     use seccompiler::{BpfProgram, SeccompAction, SeccompFilter, apply_filter};
@@ -111,7 +113,8 @@ mod linux {
 
     /// Denies what no rasterizer needs: the network, and leaving the group of processes that is ended together.
     pub fn system_calls() -> Option<()> {
-        let denied = [libc::SYS_socket, libc::SYS_io_uring_setup, libc::SYS_ptrace, libc::SYS_setsid, libc::SYS_setpgid];
+        let denied =
+            [libc::SYS_socket, libc::SYS_io_uring_setup, libc::SYS_ptrace, libc::SYS_setsid, libc::SYS_setpgid];
         let rules: BTreeMap<i64, Vec<_>> = denied.into_iter().map(|call| (call, Vec::new())).collect();
         let refuse = SeccompAction::Errno(libc::EPERM as u32);
         let filter = SeccompFilter::new(rules, SeccompAction::Allow, refuse, std::env::consts::ARCH.try_into().ok()?);

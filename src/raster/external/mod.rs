@@ -116,10 +116,7 @@ impl External {
     /// # Errors
     /// [`ExternalFailure`] for everything that may go wrong; nothing the program does reaches further.
     pub fn picture(&self, list: &DrawList, sheet: &Sheet) -> Result<Answer, ExternalFailure> {
-        let sheet = Sheet { samples: 1, encoding: Encoding::Linear, ..*sheet };
-        let mut text = Vec::new();
-        write_v2(list, &sheet, Attributes::default(), &mut text)
-            .map_err(|error| ExternalFailure::CannotSend(error.to_string()))?;
+        let text = text_of(list, sheet)?;
         let run = process::run(&self.words()?, self.host.as_deref(), text, &self.limits)?;
         match run.failure {
             Some(failure) => Err(self.complete(failure, list)),
@@ -128,6 +125,31 @@ impl External {
                 Ok(Answer { image, enforced: run.enforced })
             }
         }
+    }
+
+    /// The pictures of many lists: from one run of a program that goes on to the next file, from a run each of one that does not.
+    ///
+    /// In the one run a slow picture, a crash, or pictures that are not exactly those asked for decide nothing: then each list gets
+    /// its own run and its own verdict.
+    #[must_use]
+    pub fn pictures(&self, lists: &[DrawList], sheet: &Sheet) -> Vec<Result<Answer, ExternalFailure>> {
+        match self.at_once(lists, sheet) {
+            Some(answers) => answers.into_iter().map(Ok).collect(),
+            None => lists.iter().map(|list| self.picture(list, sheet)).collect(),
+        }
+    }
+
+    fn at_once(&self, lists: &[DrawList], sheet: &Sheet) -> Option<Vec<Answer>> {
+        if lists.len() < 2 {
+            return None;
+        }
+        let texts = lists.iter().map(|list| text_of(list, sheet)).collect::<Result<Vec<_>, _>>().ok()?;
+        let run = process::run(&self.words().ok()?, self.host.as_deref(), texts.concat(), &self.limits).ok()?;
+        if run.failure.is_some() {
+            return None;
+        }
+        let images = answer::read_all(&run.stdout, lists.iter().map(|list| (list.width, list.height)))?;
+        Some(images.into_iter().map(|image| Answer { image, enforced: run.enforced }).collect())
     }
 
     /// The command to start.
@@ -178,6 +200,14 @@ impl Rasterizer for External {
             Err(failure) => target.fail(format!("{}: {failure}", self.name)),
         }
     }
+}
+
+/// What the program reads: the list in linear light, a picture of its own samples.
+fn text_of(list: &DrawList, sheet: &Sheet) -> Result<Vec<u8>, ExternalFailure> {
+    let sheet = Sheet { samples: 1, encoding: Encoding::Linear, ..*sheet };
+    let mut text = Vec::new();
+    let written = write_v2(list, &sheet, Attributes::default(), &mut text);
+    written.map(|()| text).map_err(|error| ExternalFailure::CannotSend(error.to_string()))
 }
 
 fn show(image: &Image, target: &mut Target<'_>) {

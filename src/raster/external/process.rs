@@ -73,12 +73,13 @@ pub(super) fn run(
 fn start(words: &[OsString], host: Option<&std::path::Path>, limits: &Limits) -> Result<Child, ExternalFailure> {
     let program = words.first().cloned().unwrap_or_default();
     let mut command = match host {
-        Some(host) => {
+        // Only where a program can become another one.
+        Some(host) if cfg!(unix) => {
             let mut command = Command::new(host);
             command.arg("__jail").args(limits.to_arguments()).arg("--").args(words);
             command
         }
-        None => {
+        _ => {
             let mut command = Command::new(&program);
             command.args(words.iter().skip(1));
             command
