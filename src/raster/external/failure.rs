@@ -176,7 +176,25 @@ fn signal_words(signal: i32) -> String {
 /// The last line a program wrote to standard error is where Python and Java name the error.
 fn last_words(stderr: &str) -> String {
     match stderr.lines().rev().map(str::trim).find(|line| !line.is_empty()) {
-        Some(line) => format!("; it says: {}", line.chars().take(200).collect::<String>()),
+        // Control characters could do things to the terminal they are printed on.
+        Some(line) => {
+            let line: String = line.chars().filter(|letter| !letter.is_control()).take(200).collect();
+            format!("; it says: {line}")
+        }
         None => String::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_line_is_shown_and_harmless() {
+        let stderr = "Traceback:\n  line 3\nIndexError: \u{1b}[2Jout of range\n\n".to_string();
+        let said = ExternalFailure::Exited { code: 1, stderr }.to_string();
+        assert_eq!(said, "it ended with exit code 1; it says: IndexError: [2Jout of range");
+        let crash = ExternalFailure::Crashed { signal: 11, stderr: String::new() }.to_string();
+        assert!(crash.starts_with("it crashed: signal 11 (SIGSEGV"), "{crash}");
     }
 }

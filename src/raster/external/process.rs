@@ -18,8 +18,8 @@ use std::time::{Duration, Instant};
 
 /// How often a running program is looked at.
 const LOOK: Duration = Duration::from_millis(4);
-/// Bytes of standard error that are kept; the rest is read and forgotten.
-const STDERR_KEPT: usize = 4096;
+/// Bytes of standard error that are kept, enough for a long traceback; the rest is read and forgotten.
+const STDERR_KEPT: usize = 1 << 16;
 /// How long pipes may stay open after the whole group was killed.
 const DRAIN: Duration = Duration::from_secs(1);
 
