@@ -178,10 +178,11 @@ fn text_mode(bytes: &[u8], length: usize) -> Option<&'static str> {
     if bytes.len() <= length {
         return None;
     }
-    let carriage_returns = bytes.windows(2).filter(|pair| pair == b"\r\n").count();
-    // The head's own line ends may have one each, too, and were counted as part of it.
-    if carriage_returns > 0 && (length..=length + 4).contains(&(bytes.len() - carriage_returns + 3)) {
-        return Some("a carriage return stands before line feeds, as Windows' text mode puts it");
+    // Text mode spares no line feed, so one without a carriage return before it acquits.
+    let line_feeds = bytes.iter().filter(|&&byte| byte == b'\n').count();
+    let pairs = bytes.windows(2).filter(|pair| pair == b"\r\n").count();
+    if pairs > 0 && pairs == line_feeds {
+        return Some("a carriage return stands before every line feed, as Windows' text mode puts it");
     }
     let text = std::str::from_utf8(bytes).ok()?;
     let one_byte_each = text.chars().all(|letter| u32::from(letter) < 256) && !bytes.is_ascii();
@@ -230,6 +231,8 @@ mod tests {
         let with_head = |head: &str| [head.as_bytes(), &pixels].concat();
         assert_eq!(fails(&with_head("P6\n# by hand\n3 2\n255\n")), "none");
         assert_eq!(fails(&[&with_head("P6 3 2 255\n")[..], b"\n"].concat()), "none");
+        // A carriage return and a line feed among the pixels are no damage.
+        assert_eq!(fails(&[&with_head("P6\n3 2\n255\n")[..], b"more"].concat()), "text-after-picture");
         assert_eq!(fails(b""), "no-output");
         assert_eq!(fails(b"hello"), "bad-picture");
         assert_eq!(fails(b"P6 3 2 65535\n"), "bad-picture");
