@@ -19,7 +19,7 @@
 //! | [`plan`] | what the scene needs and what the user chose |
 //! | [`screen`] | screen polygons, planes, lights and reflection models, screen files |
 //! | [`geometry`] | cull, clip, light, split, project: FAROP's figure 4 |
-//! | [`raster`] | the contract, the target, the z-buffer, Watkins, scan line, wire |
+//! | [`raster`] | the contract, the target, the z-buffer, Watkins, scan line, wire; doors for other languages |
 //! | [`oracle`] | what the picture ought to be, found by other means |
 //! | [`render`] | the driver; why a sample shows what it shows |
 //! | [`lab`] | how accurate all this is, and what more would cost, measured |

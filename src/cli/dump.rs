@@ -64,7 +64,7 @@ impl DumpCommand {
             notice("--attributes phong: the file is made with phong shading");
             choices.shading = Shading::Phong;
         }
-        let plan_for = as_rasterizer(registered);
+        let plan_for = as_rasterizer(&registered);
         let list = render::list(&loaded.scene, &choices, plan_for)?;
         self.format.write(&self.output, &list, &sheet(&loaded.scene, &choices))
     }

@@ -48,7 +48,10 @@ fn scenes() -> String {
 
 fn rasterizers(registry: &Registry) -> String {
     let rows = registry.iter().map(|entry| format!("{:<11}{}\n", entry.name, entry.summary));
-    rows.collect::<String>() + "none       draws nothing: counts and times only\n"
+    rows.collect::<String>()
+        + "none       draws nothing: counts and times only\n\
+           exec:CMD   a program in any language (docs/doors.md)\n\
+           lib:PATH   a C library (docs/doors.md)\n"
 }
 
 fn checks() -> String {

@@ -27,7 +27,7 @@ pub mod student;
 mod suite;
 mod why;
 
-use crate::raster::Registry;
+use crate::raster::{Registry, external};
 use clap::{CommandFactory, Parser, Subcommand};
 use error::CliError;
 use std::io::Write;
@@ -36,11 +36,21 @@ use std::process::ExitCode;
 /// Runs the command line of this process with the rasterizers in `registry`.
 #[must_use]
 pub fn main(registry: Registry) -> ExitCode {
+    external::this_program_is_host();
     run(&registry, std::env::args_os())
 }
 
 /// Runs `arguments` (the program's name first) with the rasterizers in `registry`.
 pub fn run(registry: &Registry, arguments: impl IntoIterator<Item = std::ffi::OsString>) -> ExitCode {
+    let arguments: Vec<_> = arguments.into_iter().collect();
+    // How farop starts itself for rasterizers outside of it: nothing that a user types.
+    match arguments.get(1).and_then(|word| word.to_str()) {
+        Some("__jail") => return ExitCode::from(external::enter_jail(&arguments[2..])),
+        Some("__host") => {
+            return ExitCode::from(external::serve_library(&arguments.get(2).cloned().unwrap_or_default()));
+        }
+        _ => {}
+    }
     let cli = match Cli::try_parse_from(arguments) {
         Ok(cli) => cli,
         Err(error) => {

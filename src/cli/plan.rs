@@ -5,7 +5,7 @@ use super::options::{PictureOptions, PromiseOptions};
 use super::scenes::{SceneOptions, as_rasterizer, find_rasterizer, make_plan};
 use crate::lab::promise::{self, Goal, Promise};
 use crate::plan::{Choices, EXACT_SUBPIXELS, Plan, PlanRow};
-use crate::raster::{Rasterizer, Registered, Registry};
+use crate::raster::{Rasterizer, Registry};
 use crate::scene::Scene;
 use clap::Args;
 
@@ -29,12 +29,13 @@ impl PlanCommand {
         let loaded = self.scenes.load(&self.picture)?;
         let registered = find_rasterizer(registry, &self.rasterizer)?;
         if let Some(goal) = self.promise.max_error {
-            let promise = promise(&loaded.scene, &self.picture.choices(), registered, goal)?;
-            let accepts = registered.map_or(crate::plan::Accepts::AnyPolygon, |entry| entry.rasterizer.accepts());
+            let areas = as_rasterizer(&registered).filter(|_| self.rasterizer != "wire");
+            let promise = promise(&loaded.scene, &self.picture.choices(), areas, goal)?;
+            let accepts = areas.map_or(crate::plan::Accepts::AnyPolygon, Rasterizer::accepts);
             let plan = Plan::new(&loaded.scene, &promise.choices, accepts)?;
             return error::print(&(promise.text() + &text(&plan)));
         }
-        let plan = make_plan(&loaded.scene, &self.picture, as_rasterizer(registered))?;
+        let plan = make_plan(&loaded.scene, &self.picture, as_rasterizer(&registered))?;
         error::print(&text(&plan))
     }
 }
@@ -43,13 +44,12 @@ impl PlanCommand {
 pub(super) fn promise(
     scene: &Scene,
     base: &Choices,
-    registered: Option<&Registered>,
+    areas: Option<&dyn Rasterizer>,
     goal: Goal,
 ) -> Result<Promise, CliError> {
-    let areas = registered.filter(|entry| entry.name != "wire");
-    let entry =
+    let areas =
         areas.ok_or_else(|| CliError::failed("--max-error needs a rasterizer that draws areas, as -r zbuffer"))?;
-    promise::keep(scene, base, &*entry.rasterizer as &dyn Rasterizer, goal).map_err(CliError::failed)
+    promise::keep(scene, base, areas, goal).map_err(CliError::failed)
 }
 
 /// Levels of light, and the reflection models where there are others than NFF's.

@@ -3,7 +3,7 @@
 use super::error::CliError;
 use super::options::encoding;
 use super::render::{check_extension, save_picture};
-use super::scenes::{as_rasterizer, find_rasterizer};
+use super::scenes::{as_rasterizer, check_drawn, find_rasterizer};
 use crate::color::Encoding;
 use crate::plan::Varying;
 use crate::raster::Registry;
@@ -24,7 +24,7 @@ pub(super) struct RasterCommand {
     /// Picture to write, .png or .ppm
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
-    /// Rasterizer: zbuffer, watkins, scanline, wire, or a plugged-in one
+    /// Rasterizer: zbuffer, watkins, scanline, wire, a plugged-in one, exec:COMMAND or lib:PATH
     #[arg(short, long, value_name = "NAME", default_value = "zbuffer")]
     rasterizer: String,
     /// What the colors of a classic file mean: srgb or linear
@@ -51,7 +51,8 @@ impl RasterCommand {
             &self.rasterizer
         };
         let registered = find_rasterizer(registry, name)?;
-        let (image, _) = render::draw(&file.list, as_rasterizer(registered), &Canvas::of_sheet(&file.sheet));
+        let (image, puts) = render::draw(&file.list, as_rasterizer(&registered), &Canvas::of_sheet(&file.sheet));
+        check_drawn(&puts)?;
         save_picture(&self.output, &image.encode(file.sheet.encoding))
     }
 }

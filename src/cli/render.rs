@@ -2,7 +2,7 @@
 
 use super::error::{self, CliError};
 use super::options::{PictureOptions, PromiseOptions};
-use super::scenes::{SceneOptions, as_rasterizer, find_rasterizer};
+use super::scenes::{SceneOptions, as_rasterizer, check_drawn, find_rasterizer};
 use super::stages::StageName;
 use super::stats::{self, StatsFormat};
 use crate::image::{Picture, encode_for, save, terminal};
@@ -24,7 +24,7 @@ pub(super) struct RenderCommand {
     /// Picture to write, .png or .ppm; without it, the picture in the terminal
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Rasterizer: zbuffer, watkins, scanline, wire, none (counts and times only), or a plugged-in one
+    /// Rasterizer: zbuffer, watkins, scanline, wire, none (counts and times only), a plugged-in one, exec:COMMAND or lib:PATH
     #[arg(short, long, value_name = "NAME", default_value = "zbuffer")]
     rasterizer: String,
     /// Counts and times, as text or as json
@@ -63,18 +63,20 @@ impl RenderCommand {
             check_extension(path)?;
         }
         if let Some(goal) = self.promise.max_error {
-            let promise = super::plan::promise(&loaded.scene, &choices, registered, goal)?;
+            let areas = as_rasterizer(&registered).filter(|_| name != "wire");
+            let promise = super::plan::promise(&loaded.scene, &choices, areas, goal)?;
             error::tell(&promise.text());
             choices = promise.choices;
         }
         if let Some(stage) = self.dump_stage {
-            error::print(&stage.text(&loaded.scene, &choices, as_rasterizer(registered))?)?;
+            error::print(&stage.text(&loaded.scene, &choices, as_rasterizer(&registered))?)?;
             if self.output.is_none() {
                 return Ok(());
             }
         }
         let mut rendered =
-            render::render_with(&loaded.scene, &choices, as_rasterizer(registered), |list| self.cut(list))?;
+            render::render_with(&loaded.scene, &choices, as_rasterizer(&registered), |list| self.cut(list))?;
+        check_drawn(&rendered.puts)?;
         rendered.times.parse = loaded.parse_time;
         if let Some(path) = &self.dump {
             super::dump::DumpFormat::lossless().write(

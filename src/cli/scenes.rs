@@ -4,7 +4,8 @@ use super::error::{self, CliError, notice};
 use super::options::PictureOptions;
 use crate::parse::{self, Format, ParseOptions, Parsed, Winding};
 use crate::plan::Plan;
-use crate::raster::{Rasterizer, Registered, Registry};
+use crate::raster::external::External;
+use crate::raster::{PutCounts, Rasterizer, Registered, Registry};
 use crate::report::{StageTime, StageTimer};
 use crate::scene::{NormalSource, Scene};
 use crate::spd::{Curves, SpdScene};
@@ -95,25 +96,43 @@ pub(super) fn find_built_in(name: &str) -> Result<&'static SpdScene, CliError> {
     parse::built_in::find(name).map_err(CliError::failed)
 }
 
+/// What follows `-r`: a rasterizer of the registry, or one outside farop.
+pub(super) enum Chosen<'a> {
+    Registered(&'a Registered),
+    Outside(External),
+}
+
 /// The rasterizer named after `-r`; `None` for `none`.
-pub(super) fn find_rasterizer<'a>(registry: &'a Registry, name: &str) -> Result<Option<&'a Registered>, CliError> {
+pub(super) fn find_rasterizer<'a>(registry: &'a Registry, name: &str) -> Result<Option<Chosen<'a>>, CliError> {
     if name == "none" {
         return Ok(None);
     }
-    registry.find(name).map(Some).ok_or_else(|| {
+    if let Some(registered) = registry.find(name) {
+        return Ok(Some(Chosen::Registered(registered)));
+    }
+    External::from_name(name).map(|external| Some(Chosen::Outside(external))).ok_or_else(|| {
         let names: Vec<_> = registry.iter().map(|entry| entry.name.as_str()).collect();
         CliError::failed(format!(
             "there is no rasterizer `{name}` in this program; there is {}, none\n\
              help: a rasterizer of your own runs in your own crate: `farop student new ana`, then\n      \
-             `cargo run -p student_ana -- render spd:gears -r {name}`",
+             `cargo run -p student_ana -- render spd:gears -r {name}`;\n      \
+             one in another language is `-r exec:COMMAND` or `-r lib:PATH`",
             names.join(", ")
         ))
     })
 }
 
-/// The rasterizer of `registered`, as the driver takes it.
-pub(super) fn as_rasterizer(registered: Option<&Registered>) -> Option<&dyn Rasterizer> {
-    registered.map(|entry| &*entry.rasterizer as &dyn Rasterizer)
+/// The chosen rasterizer, as the driver takes it.
+pub(super) fn as_rasterizer<'a>(chosen: &'a Option<Chosen<'_>>) -> Option<&'a dyn Rasterizer> {
+    chosen.as_ref().map(|chosen| match chosen {
+        Chosen::Registered(entry) => &*entry.rasterizer as &dyn Rasterizer,
+        Chosen::Outside(external) => external,
+    })
+}
+
+/// Ends the command where a rasterizer outside farop gave no picture.
+pub(super) fn check_drawn(puts: &PutCounts) -> Result<(), CliError> {
+    puts.failure.as_ref().map_or(Ok(()), |failure| Err(CliError::failed(failure)))
 }
 
 /// The plan of `scene` for a rasterizer.

@@ -192,6 +192,9 @@ fn raster_lines(rendered: &Rendered, rasterizer: &str, text: &mut String) -> std
     for (name, count) in puts.own.iter().chain(&puts.most) {
         writeln!(text, "Pipeline: {rasterizer}: {name}: {count}")?;
     }
+    if let Some(note) = &puts.note {
+        writeln!(text, "Pipeline: {rasterizer}: {note}")?;
+    }
     if let Some(share) = span_share(puts) {
         let percent = share * 100.0;
         writeln!(text, "Pipeline: {rasterizer}: share of spans decided without per-pixel work: {percent:.2} %")?;

@@ -2,8 +2,9 @@
 
 use super::error::{self, CliError};
 use super::options::PictureOptions;
-use super::scenes::{SceneOptions, as_rasterizer, find_rasterizer};
+use super::scenes::{Chosen, SceneOptions, as_rasterizer, check_drawn, find_rasterizer};
 use crate::color::Rgb;
+use crate::image::Image;
 use crate::plan::Choices;
 use crate::raster::{Rasterizer, Registry};
 use crate::render::{self, Canvas, Rendered, why};
@@ -38,7 +39,9 @@ fn pixel(text: &str) -> Result<(u32, u32), String> {
 impl WhyCommand {
     pub fn run(self, registry: &Registry) -> Result<(), CliError> {
         let loaded = self.scenes.load(&self.picture)?;
-        let rasterizer = as_rasterizer(find_rasterizer(registry, &self.rasterizer)?);
+        let chosen = find_rasterizer(registry, &self.rasterizer)?;
+        let outside = matches!(chosen, Some(Chosen::Outside(_)));
+        let rasterizer = as_rasterizer(&chosen).filter(|_| !outside);
         let choices = self.picture.choices();
         let rendered = render::render_with(&loaded.scene, &choices, None, |_| ())?;
         let (width, height) = rendered.plan.view.pixels;
@@ -46,6 +49,9 @@ impl WhyCommand {
             let (x, y) = self.pixel;
             return Err(CliError::failed(format!("pixel {x},{y} is outside the picture of {width}x{height}")));
         }
+        // A program outside farop gives a picture; which polygon it put where only the program knows.
+        let picture =
+            if outside { Some(picture_of(&loaded.scene, &choices, &rendered, as_rasterizer(&chosen))?) } else { None };
         let mut text = String::new();
         let corner = (self.pixel.0 * choices.samples, self.pixel.1 * choices.samples);
         for sample in 0..choices.samples * choices.samples {
@@ -53,9 +59,26 @@ impl WhyCommand {
             let context = Context { scene: &loaded.scene, choices: &choices, rendered: &rendered };
             // Writing to a String cannot fail.
             let _ = context.sample((sample.0 as i32, sample.1 as i32), rasterizer, &mut text);
+            if let Some(image) = &picture {
+                let light = image.pixel(sample.0 as usize, sample.1 as usize);
+                text += &format!("  {} drew color {}\n", self.rasterizer, context.levels(light));
+            }
         }
         error::print(&text)
     }
+}
+
+/// The sample grid as a rasterizer outside farop draws it.
+fn picture_of(
+    scene: &Scene,
+    choices: &Choices,
+    rendered: &Rendered,
+    rasterizer: Option<&dyn Rasterizer>,
+) -> Result<Image, CliError> {
+    let canvas = Canvas { samples: 1, ..Canvas::new(scene, choices) };
+    let (image, puts) = render::draw(&rendered.list, rasterizer, &canvas);
+    check_drawn(&puts)?;
+    Ok(image)
 }
 
 struct Context<'a> {

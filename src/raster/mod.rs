@@ -8,6 +8,7 @@
 
 pub mod coverage;
 mod exact_edge;
+pub mod external;
 mod layers;
 mod registry;
 mod scanline;

@@ -32,6 +32,10 @@ pub struct PutCounts {
     pub own: BTreeMap<&'static str, u64>,
     /// As `own`, for numbers of which only the largest matters; see [`Target::count_most`].
     pub most: BTreeMap<&'static str, u64>,
+    /// Why there is no picture: a program outside farop that did not give one; see [`Target::fail`].
+    pub failure: Option<String>,
+    /// Something about how the picture came about that users should know; see [`Target::note`].
+    pub note: Option<String>,
 }
 
 impl std::ops::AddAssign for PutCounts {
@@ -46,6 +50,8 @@ impl std::ops::AddAssign for PutCounts {
             let most = self.most.entry(name).or_default();
             *most = count.max(*most);
         }
+        self.failure = self.failure.take().or(other.failure);
+        self.note = self.note.take().or(other.note);
     }
 }
 
@@ -82,6 +88,7 @@ impl Frame {
             owner: &mut self.owner,
             layers: Layers::default(),
             rule,
+            background,
             counts: PutCounts::default(),
             threads: 1,
         }
@@ -114,6 +121,7 @@ pub struct Target<'a> {
     owner: &'a mut [u32],
     layers: Layers,
     rule: Transparency,
+    background: Rgb<f32>,
     counts: PutCounts,
     threads: u32,
 }
@@ -153,6 +161,36 @@ impl Target<'_> {
     #[must_use]
     pub fn depth(&self, x: i32, y: i32) -> f64 {
         self.index(x, y).map_or(0.0, |index| self.depth[index])
+    }
+
+    /// Linear light behind everything.
+    #[must_use]
+    pub fn background(&self) -> Rgb<f32> {
+        self.background
+    }
+
+    /// How transparent layers add up.
+    #[must_use]
+    pub fn transparency(&self) -> Transparency {
+        self.rule
+    }
+
+    /// Shows `color` at sample (x, y): a piece of a picture that was finished elsewhere, by nobody knows which polygon. What is not
+    /// in this target is dropped.
+    pub fn show(&mut self, x: i32, y: i32, color: Rgb<f32>) {
+        if let Some(index) = self.index(x, y) {
+            self.color[index] = color;
+        }
+    }
+
+    /// There is no picture, and `why`: whoever asked for one says so and writes none.
+    pub fn fail(&mut self, why: impl std::fmt::Display) {
+        self.counts.failure.get_or_insert_with(|| why.to_string());
+    }
+
+    /// Something that `--stats` tells about how the picture came about.
+    pub fn note(&mut self, text: impl std::fmt::Display) {
+        self.counts.note.get_or_insert_with(|| text.to_string());
     }
 
     /// Adds `count` to what the rasterizer counts under `name`: `--stats` prints it.
@@ -210,7 +248,8 @@ impl Target<'_> {
 
     /// Disjoint targets over equal shares of the rows.
     fn split(&mut self, count: u32) -> Vec<Target<'_>> {
-        let (width, height, rule, all) = (self.width, self.height, self.rule, self.rows.clone());
+        let (width, height, rule, background) = (self.width, self.height, self.rule, self.background);
+        let all = self.rows.clone();
         let rows_each = (all.len() as u32).div_ceil(count.max(1)).max(1);
         let samples_each = rows_each as usize * width as usize;
         let memory = self.depth.chunks_mut(samples_each).zip(self.color.chunks_mut(samples_each));
@@ -219,7 +258,7 @@ impl Target<'_> {
         let band = |(start, ((depth, color), owner)): (u32, _)| {
             let rows = start..(start + rows_each).min(all.end);
             let (layers, counts) = (Layers::default(), PutCounts::default());
-            Target { width, height, rows, depth, color, owner, layers, rule, counts, threads: 1 }
+            Target { width, height, rows, depth, color, owner, layers, rule, background, counts, threads: 1 }
         };
         starts.zip(memory).map(band).collect()
     }

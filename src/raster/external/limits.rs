@@ -1,0 +1,127 @@
+//! Limits for programs that are not farop's, and which of them the system really enforced.
+
+use std::fmt;
+use std::path::PathBuf;
+use std::time::Duration;
+
+/// What a program may use to draw one picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Limits {
+    /// Wall-clock time a picture.
+    pub wall: Duration,
+    /// Address space of a process, bytes.
+    pub memory: u64,
+    /// Bytes on standard output.
+    pub output: u64,
+    /// Bytes it may write into a file; 0: it may not write files at all.
+    pub file: u64,
+    /// Processes at a time.
+    pub processes: u64,
+    /// Folders and files it may read; empty: all of them.
+    pub readable: Vec<PathBuf>,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Limits {
+            wall: Duration::from_secs(10),
+            memory: 512 << 20,
+            output: 64 << 20,
+            file: 0,
+            processes: 16,
+            readable: Vec::new(),
+        }
+    }
+}
+
+impl Limits {
+    /// As arguments of `farop __jail`; the other limits are the parent's business.
+    pub(super) fn to_arguments(&self) -> Vec<std::ffi::OsString> {
+        let seconds = self.wall.as_secs().max(1) * 4;
+        let numbers = format!("{},{},{},{}", seconds, self.memory, self.file, self.processes);
+        std::iter::once(numbers.into()).chain(self.readable.iter().map(|path| path.clone().into())).collect()
+    }
+
+    /// What [`Limits::to_arguments`] wrote, with the wall-clock limit still four times too long: it bounds processor time.
+    pub(super) fn from_arguments(arguments: &[std::ffi::OsString]) -> Option<Limits> {
+        let (numbers, readable) = arguments.split_first()?;
+        let numbers: Option<Vec<u64>> = numbers.to_str()?.split(',').map(|number| number.parse().ok()).collect();
+        let [seconds, memory, file, processes] = numbers?[..] else { return None };
+        let readable = readable.iter().map(PathBuf::from).collect();
+        Some(Limits { wall: Duration::from_secs(seconds), memory, file, processes, readable, ..Limits::default() })
+    }
+}
+
+/// Which protections were in force while a program ran.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Enforced {
+    /// Memory, file sizes, open files, processor time (`setrlimit`).
+    pub resources: bool,
+    /// No file can be written, and only the allowed ones can be read (Landlock).
+    pub files: bool,
+    /// No network, no new sessions or process groups (seccomp).
+    pub network: bool,
+    /// The number of processes is watched, and all of them are ended together.
+    pub processes: bool,
+}
+
+impl Enforced {
+    const NAMES: [&'static str; 3] = ["resources", "files", "network"];
+
+    /// One word for each protection that the jail itself sets up.
+    pub(super) fn words(self) -> String {
+        let all = Self::NAMES.into_iter().zip([self.resources, self.files, self.network]);
+        all.filter(|(_, on)| *on).map(|(name, _)| name).collect::<Vec<_>>().join(" ")
+    }
+
+    /// What [`Enforced::words`] wrote.
+    pub(super) fn from_words(words: &str) -> Enforced {
+        let [resources, files, network] = Self::NAMES.map(|name| words.split(' ').any(|word| word == name));
+        Enforced { resources, files, network, processes: false }
+    }
+}
+
+impl fmt::Display for Enforced {
+    /// In one sentence, what was enforced and what was not.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let all = [
+            (self.resources, "memory and processor time"),
+            (self.files, "files"),
+            (self.network, "no network"),
+            (self.processes, "processes"),
+        ];
+        let named = |wanted: bool| {
+            all.iter().filter(|(on, _)| *on == wanted).map(|(_, name)| *name).collect::<Vec<_>>().join(", ")
+        };
+        write!(f, "enforced: time, output")?;
+        let (on, off) = (named(true), named(false));
+        if !on.is_empty() {
+            write!(f, ", {on}")?;
+        }
+        if !off.is_empty() {
+            write!(f, "; NOT enforced here: {off}")?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn limits_survive_the_command_line() {
+        let limits = Limits { memory: 7, readable: vec!["/usr".into(), "/lib".into()], ..Limits::default() };
+        let read = Limits::from_arguments(&limits.to_arguments()).expect("our own words");
+        assert_eq!(read, Limits { wall: limits.wall * 4, ..limits });
+        assert_eq!(Limits::from_arguments(&["1,2".into()]), None);
+    }
+
+    #[test]
+    fn what_is_not_enforced_is_said() {
+        let some = Enforced::from_words("resources network");
+        assert_eq!(some, Enforced { resources: true, network: true, ..Enforced::default() });
+        assert_eq!(some.words(), "resources network");
+        assert!(some.to_string().ends_with("NOT enforced here: files, processes"), "{some}");
+    }
+}
