@@ -13,6 +13,7 @@ mod convert;
 mod dump;
 mod error;
 mod generate;
+mod grade;
 mod lighting;
 mod list;
 mod options;
@@ -77,6 +78,7 @@ enum Command {
     Suite(suite::SuiteCommand),
     Compare(compare::CompareCommand),
     Check(check::CheckCommand),
+    Grade(grade::GradeCommand),
     Convert(convert::ConvertCommand),
     Generate(generate::GenerateCommand),
     Plan(plan::PlanCommand),
@@ -116,6 +118,7 @@ impl Command {
             Command::Suite(command) => command.run(registry),
             Command::Compare(command) => command.run(),
             Command::Check(command) => command.run(),
+            Command::Grade(command) => command.run(registry),
             Command::Convert(command) => command.run(),
             Command::Generate(command) => command.run(),
             Command::Plan(command) => command.run(registry),

@@ -111,9 +111,9 @@ impl Face {
     #[must_use]
     pub fn is_flat(&self) -> bool {
         let first = self.values_at(self.corners[0]);
-        self.corners.iter().all(|&corner| {
-            self.values_at(corner).iter().zip(first).all(|(value, first)| (value - first).abs() < 1e-12)
-        })
+        self.corners
+            .iter()
+            .all(|&corner| self.values_at(corner).iter().zip(first).all(|(value, first)| (value - first).abs() < 1e-12))
     }
 
     /// The same face moved.

@@ -101,9 +101,9 @@ impl Outline {
         let mut crossings: Vec<f64> = edges(&self.corners).filter_map(crossing).collect();
         crossings.sort_by(f64::total_cmp);
         let column = f64::from(x);
-        crossings.chunks_exact(2).any(|pair| {
-            (pair[0] + rule.first).floor() <= column && column < (pair[1] + rule.end).floor()
-        })
+        crossings
+            .chunks_exact(2)
+            .any(|pair| (pair[0] + rule.first).floor() <= column && column < (pair[1] + rule.end).floor())
     }
 }
 

@@ -49,7 +49,8 @@ const MOST_FAULTS: usize = 5;
 
 /// Fills in causes, witnesses and points.
 pub(super) fn explain(subject: &dyn Subject, lab: &Lab, verdict: &mut Verdict) {
-    let mut search = Search { mutants: mutants::all(), rules: Rules::default(), faults: Vec::new(), given_up: Vec::new() };
+    let mut search =
+        Search { mutants: mutants::all(), rules: Rules::default(), faults: Vec::new(), given_up: Vec::new() };
     while search.faults.len() < MOST_FAULTS && search.step(&verdict.aspects) {}
     for fault in &mut search.faults {
         fault.is_accepted = fault.name == OTHER_TIES && !lab.fixes_ties;
@@ -67,7 +68,9 @@ pub(super) fn explain(subject: &dyn Subject, lab: &Lab, verdict: &mut Verdict) {
 
 fn notes(faults: &[Fault]) -> Vec<String> {
     let accepted = faults.iter().filter(|fault| fault.is_accepted);
-    accepted.map(|fault| format!("your tie rule: {}; it is consistent, so it is accepted", fault.rules.1.ties.words())).collect()
+    accepted
+        .map(|fault| format!("your tie rule: {}; it is consistent, so it is accepted", fault.rules.1.ties.words()))
+        .collect()
 }
 
 fn points(aspect: &AspectVerdict, faults: &[Fault], rules: &Rules) -> f64 {
@@ -217,7 +220,8 @@ impl Search {
 
 /// Mutants by mismatches here, then everywhere.
 fn ranked(tables: &[Vec<usize>], here: impl Fn(&[usize]) -> usize) -> Vec<Score> {
-    let score = |(mutant, table): (usize, &Vec<usize>)| Score { mutant, here: here(table), everywhere: table.iter().sum() };
+    let score =
+        |(mutant, table): (usize, &Vec<usize>)| Score { mutant, here: here(table), everywhere: table.iter().sum() };
     let mut scores: Vec<Score> = tables.iter().enumerate().map(score).collect();
     scores.sort_by_key(|score| (score.here, score.everywhere, score.mutant));
     scores

@@ -51,36 +51,51 @@ const fn aspect(name: &'static str, asks: &'static str, points: u32, cases: fn(u
     Aspect { name, asks, points, cases, watch: Watch::Picture }
 }
 
-const FIRST: Aspect = aspect("first picture", "something is drawn where it belongs, none of it elsewhere", 5, coverage::first);
-const PLACE: Aspect = aspect("orientation", "up is up and left is left, on a picture that is not square", 5, coverage::orientation);
-const CHANNELS: Aspect = aspect("channels", "red, green and blue in this order, on the background of the sheet", 5, color::channels);
+const FIRST: Aspect =
+    aspect("first picture", "something is drawn where it belongs, none of it elsewhere", 5, coverage::first);
+const PLACE: Aspect =
+    aspect("orientation", "up is up and left is left, on a picture that is not square", 5, coverage::orientation);
+const CHANNELS: Aspect =
+    aspect("channels", "red, green and blue in this order, on the background of the sheet", 5, color::channels);
 const LEVELS: Aspect = aspect("levels", "light becomes the nearest level", 5, color::levels);
 const POSITION: Aspect = aspect("sample position", "samples are asked for at their centers", 10, coverage::position);
 const TIES: Aspect = aspect("ties", "a center on an edge belongs to one polygon", 10, coverage::ties);
 const SHARED: Aspect = aspect("shared edges", "fans and meshes without cracks", 10, coverage::shared);
 const WINDING: Aspect = aspect("winding", "clockwise and counterclockwise outlines", 5, coverage::winding);
 const CONCAVE: Aspect = aspect("concave", "notches stay open, corners on scan lines", 5, coverage::concave);
-const BORDERS: Aspect = aspect("borders", "the first and the last row and column, and nothing beyond", 5, coverage::borders);
-const TINY: Aspect = aspect("small polygons", "polygons about as large as a sample, and without area", 5, coverage::tiny);
+const BORDERS: Aspect =
+    aspect("borders", "the first and the last row and column, and nothing beyond", 5, coverage::borders);
+const TINY: Aspect =
+    aspect("small polygons", "polygons about as large as a sample, and without area", 5, coverage::tiny);
 const SLIVERS: Aspect = aspect("slivers", "polygons thinner than a sample, long ones", 5, coverage::slivers);
 const DEPTH: Aspect = aspect("depth", "the nearer polygon hides the farther, in any order", 15, depth::order);
-const PIERCING: Aspect = aspect("piercing", "polygons that pierce each other or overlap in a ring", 10, depth::piercing);
+const PIERCING: Aspect =
+    aspect("piercing", "polygons that pierce each other or overlap in a ring", 10, depth::piercing);
 const EQUAL: Aspect = aspect("equal depth", "of equal depths the first in the list", 5, depth::equal);
 const RANGE: Aspect = aspect("depth range", "very near and very far polygons", 5, depth::range);
 const GLASS: Aspect = aspect("transparency", "what is behind glass shows through", 5, depth::glass);
 const GOURAUD: Aspect = aspect("interpolation", "values spread from the corners", 15, color::interpolation);
-const CORNERS: Aspect = aspect("corner order", "every corner keeps its own value, in any order", 10, color::corner_order);
+const CORNERS: Aspect =
+    aspect("corner order", "every corner keeps its own value, in any order", 10, color::corner_order);
 const PERSPECTIVE: Aspect = aspect("perspective", "values spread in space, not on the screen", 15, color::perspective);
 const LIGHT: Aspect = aspect("light", "the light of every sample, from its own normal", 25, color::light);
 const SAMPLES: Aspect = aspect("samples", "a pixel is the mean of its samples", 25, color::samples);
 const LINES: Aspect = aspect("lines", "lines in all directions", 30, lines::directions);
 const OUTLINES: Aspect = aspect("outlines", "closed outlines, lines that meet", 20, lines::outlines);
-const SHORT_LINES: Aspect = aspect("short lines", "lines about as long as a sample, ends between samples", 10, lines::short);
-const STATE: Aspect =
-    Aspect { watch: Watch::State, ..aspect("state", "the same list gives the same picture, in any order", 5, depth::state) };
+const SHORT_LINES: Aspect =
+    aspect("short lines", "lines about as long as a sample, ends between samples", 10, lines::short);
+const STATE: Aspect = Aspect {
+    watch: Watch::State,
+    ..aspect("state", "the same list gives the same picture, in any order", 5, depth::state)
+};
 const ONCE: Aspect = Aspect {
     watch: Watch::PutOnce,
-    ..aspect("scan-line order", "every sample put once, in scan-line order, without looking at the depth kept", 20, depth::once)
+    ..aspect(
+        "scan-line order",
+        "every sample put once, in scan-line order, without looking at the depth kept",
+        20,
+        depth::once,
+    )
 };
 const COST: Aspect =
     Aspect { watch: Watch::Cost, ..aspect("cost", "a small polygon costs as much as it covers", 5, |_| Vec::new()) };
@@ -96,15 +111,18 @@ pub const LABS: &[Lab] = &[
     Lab {
         name: "coverage",
         summary: "which samples a polygon covers, with the tie rule",
-        aspects: &[FIRST, PLACE, CHANNELS, LEVELS, POSITION, TIES, SHARED, WINDING, CONCAVE, BORDERS, TINY, SLIVERS, STATE, COST],
+        aspects: &[
+            FIRST, PLACE, CHANNELS, LEVELS, POSITION, TIES, SHARED, WINDING, CONCAVE, BORDERS, TINY, SLIVERS, STATE,
+            COST,
+        ],
         fixes_ties: true,
     },
     Lab {
         name: "zbuffer",
         summary: "coverage and depth: the nearest polygon at every sample",
         aspects: &[
-            FIRST, PLACE, CHANNELS, LEVELS, POSITION, TIES, SHARED, WINDING, CONCAVE, BORDERS, TINY, SLIVERS, DEPTH, EQUAL, PIERCING,
-            RANGE, GLASS, STATE, COST,
+            FIRST, PLACE, CHANNELS, LEVELS, POSITION, TIES, SHARED, WINDING, CONCAVE, BORDERS, TINY, SLIVERS, DEPTH,
+            EQUAL, PIERCING, RANGE, GLASS, STATE, COST,
         ],
         fixes_ties: false,
     },
@@ -118,8 +136,8 @@ pub const LABS: &[Lab] = &[
         name: "watkins",
         summary: "scan line by scan line, every sample put once",
         aspects: &[
-            FIRST, PLACE, CHANNELS, LEVELS, POSITION, TIES, SHARED, WINDING, CONCAVE, BORDERS, TINY, SLIVERS, DEPTH, EQUAL, PIERCING,
-            RANGE, ONCE, STATE,
+            FIRST, PLACE, CHANNELS, LEVELS, POSITION, TIES, SHARED, WINDING, CONCAVE, BORDERS, TINY, SLIVERS, DEPTH,
+            EQUAL, PIERCING, RANGE, ONCE, STATE,
         ],
         fixes_ties: false,
     },

@@ -15,7 +15,8 @@ pub(super) fn light(
     at: (f64, f64),
     normal: impl Fn((f64, f64)) -> [f64; 3],
 ) -> [f64; 3] {
-    let lit = |at: (f64, f64)| sent(lamp, rules.light, case.eye(at, 1.0 / face.inverse_w_at(at)), Vec3::from(normal(at)));
+    let lit =
+        |at: (f64, f64)| sent(lamp, rules.light, case.eye(at, 1.0 / face.inverse_w_at(at)), Vec3::from(normal(at)));
     let value = match rules.light {
         Light::AtFirstCorner => lit(face.corners[0]),
         Light::AtCorners => {

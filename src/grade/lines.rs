@@ -24,7 +24,8 @@ pub(super) fn outline(corners: &[Point], rule: Lines, (width, height): (u32, u32
             match rule {
                 Lines::Nothing => {}
                 Lines::DiamondExit | Lines::Open => {
-                    let (sure, maybe) = (leaves(*start, *end, center, HALF - BAND), leaves(*start, *end, center, HALF + BAND));
+                    let (sure, maybe) =
+                        (leaves(*start, *end, center, HALF - BAND), leaves(*start, *end, center, HALF + BAND));
                     let certain = sure == maybe && !is_near_border(*end, center);
                     if sure || maybe || !certain {
                         show(at, certain);

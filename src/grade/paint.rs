@@ -268,7 +268,8 @@ fn face_color(case: &Case, index: usize, values: &[[f64; 3]; 4], rules: &Rules, 
     let (face, at) = (&case.faces[index], point(sample, rules));
     let Some(lamp) = &case.lamp else {
         // One color is one color, whatever the weights; a carried or divided one is not.
-        if face.is_flat() && !matches!(rules.values, Interpolation::NotMultipliedBack | Interpolation::MultipliedTwice) {
+        if face.is_flat() && !matches!(rules.values, Interpolation::NotMultipliedBack | Interpolation::MultipliedTwice)
+        {
             return values[0];
         }
         return interpolated(face, values, rules, at);
@@ -288,12 +289,15 @@ fn pixel(samples: &[Sample], rules: &Rules) -> ([u8; 3], [u8; 3]) {
         PixelFrom::FirstSample => samples[0].color,
         PixelFrom::MiddleSample => samples[side / 2 * side + side / 2].color,
         PixelFrom::MeanOfLevels => mean(&|sample| sample.color.map(|light| (light * 255.0).floor() / 255.0)),
-        PixelFrom::Most => samples.iter().fold([0.0; 3], |most: [f64; 3], sample| {
-            [0, 1, 2].map(|channel| most[channel].max(sample.color[channel]))
-        }),
+        PixelFrom::Most => samples
+            .iter()
+            .fold([0.0; 3], |most: [f64; 3], sample| [0, 1, 2].map(|channel| most[channel].max(sample.color[channel]))),
     };
     let color = rules.channels.map(|channel| color[channel]);
-    (color.map(|light| level(light, -LEVEL_BAND, rules.levels)), color.map(|light| level(light, LEVEL_BAND, rules.levels)))
+    (
+        color.map(|light| level(light, -LEVEL_BAND, rules.levels)),
+        color.map(|light| level(light, LEVEL_BAND, rules.levels)),
+    )
 }
 
 fn level(light: f64, band: f64, levels: Levels) -> u8 {
@@ -312,4 +316,3 @@ fn level(light: f64, band: f64, levels: Levels) -> u8 {
     };
     number.clamp(0.0, 255.0) as u8
 }
-

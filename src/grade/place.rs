@@ -3,7 +3,12 @@
 use super::rules::{Border, Place};
 
 /// Empties what lies in a border that is never drawn.
-pub(super) fn keep_inside_border<T: Copy>(samples: &mut [T], (width, height): (usize, usize), border: Border, empty: T) {
+pub(super) fn keep_inside_border<T: Copy>(
+    samples: &mut [T],
+    (width, height): (usize, usize),
+    border: Border,
+    empty: T,
+) {
     let is_lost = |x: usize, y: usize| match border {
         Border::None => false,
         Border::LastColumn => x + 1 == width,
@@ -33,7 +38,5 @@ pub(super) fn placed<T: Copy>(samples: &[T], (width, height): (usize, usize), pl
         Place::OneLeft => (x + 1 < width).then_some((x + 1, y)),
         Place::OneUp => (y + 1 < height).then_some((x, y + 1)),
     };
-    (0..width * height)
-        .map(|at| from(at % width, at / width).map_or(empty, |(x, y)| samples[y * width + x]))
-        .collect()
+    (0..width * height).map(|at| from(at % width, at / width).map_or(empty, |(x, y)| samples[y * width + x])).collect()
 }

@@ -57,13 +57,29 @@ pub struct Rules {
 
 /// Rounding of a coordinate to whole samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Rounding { None, Down, Nearest, Up }
+pub enum Rounding {
+    /// Corners stay as they are.
+    None,
+    /// To the sample on the left, above.
+    Down,
+    /// To the nearest whole number.
+    Nearest,
+    /// To the right, down.
+    Up,
+}
 
 /// Who gets a center exactly on an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ties {
     /// As if the center lay a little to one side: signs of the step in x and y, and whether x decides first.
-    Consistent { x: i8, y: i8, x_first: bool },
+    Consistent {
+        /// 1: a little to the right, -1: to the left.
+        x: i8,
+        /// 1: a little down, -1: up.
+        y: i8,
+        /// x decides where both could.
+        x_first: bool,
+    },
     /// Everybody who touches it.
     All,
     /// Nobody.
@@ -136,55 +152,236 @@ pub struct SpanRule {
 
 /// Which way round an outline may go.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Winding { Both, Clockwise, CounterClockwise }
+pub enum Winding {
+    /// Either way.
+    Both,
+    /// Clockwise on the screen.
+    Clockwise,
+    /// Counterclockwise on the screen.
+    CounterClockwise,
+}
 
 /// How much of the bounds is looked at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Bounds { Whole, ColumnShort, RowShort, BothShort, FirstColumnLost, FirstRowLost }
+pub enum Bounds {
+    /// All of them.
+    Whole,
+    /// Without the last column.
+    ColumnShort,
+    /// Without the last row.
+    RowShort,
+    /// Without both.
+    BothShort,
+    /// Without the first column.
+    FirstColumnLost,
+    /// Without the first row.
+    FirstRowLost,
+}
 
 /// Which part of the picture is never drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Border { None, LastColumn, LastRow, LastBoth, FirstColumn, FirstRow, BeyondSquare }
+pub enum Border {
+    /// All is drawn.
+    None,
+    /// The last column is not.
+    LastColumn,
+    /// The last row is not.
+    LastRow,
+    /// Neither of both is.
+    LastBoth,
+    /// The first column is not.
+    FirstColumn,
+    /// The first row is not.
+    FirstRow,
+    /// What lies beyond the smaller side is not.
+    BeyondSquare,
+}
 
 /// Where samples land.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place { Right, UpsideDown, Mirrored, HalfTurn, Transposed, OneRight, OneDown, OneLeft, OneUp }
+pub enum Place {
+    /// Where they belong.
+    Right,
+    /// Row 0 below.
+    UpsideDown,
+    /// Column 0 on the right.
+    Mirrored,
+    /// Both.
+    HalfTurn,
+    /// Rows and columns exchanged.
+    Transposed,
+    /// One column to the right.
+    OneRight,
+    /// One row down.
+    OneDown,
+    /// One column to the left.
+    OneLeft,
+    /// One row up.
+    OneUp,
+}
 
 /// Which polygon of several keeps a sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Front { Nearest, Farthest, Last, First }
+pub enum Front {
+    /// The nearest.
+    Nearest,
+    /// The farthest.
+    Farthest,
+    /// The last of the list.
+    Last,
+    /// The first of the list.
+    First,
+}
 
 /// Where the compared depth comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum DepthFrom { Plane, FirstCorner, NearestCorner, MeanCorner, LinearW, Whole }
+pub enum DepthFrom {
+    /// The plane of 1/w, at the sample.
+    Plane,
+    /// The first corner.
+    FirstCorner,
+    /// The nearest corner.
+    NearestCorner,
+    /// The mean of the corners.
+    MeanCorner,
+    /// w, interpolated on the screen.
+    LinearW,
+    /// 1/w cut to a whole number.
+    Whole,
+}
 
 /// How values get from corners to samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Interpolation { Perspective, Affine, NotMultipliedBack, MultipliedTwice, FirstCorner, LastCorner, Mean, NearestCorner }
+pub enum Interpolation {
+    /// Linear in space.
+    Perspective,
+    /// Linear on the screen.
+    Affine,
+    /// Value / w, as it is.
+    NotMultipliedBack,
+    /// Value / w, divided by 1/w twice.
+    MultipliedTwice,
+    /// The first corner's value.
+    FirstCorner,
+    /// The last corner's value.
+    LastCorner,
+    /// The mean of three corners.
+    Mean,
+    /// The value of the corner with the greatest weight.
+    NearestCorner,
+}
 
 /// Which corner's values go to which corner.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Carried { Right, Rotated, RotatedBack, LastTwoSwapped, FirstTwoSwapped, OuterSwapped, SortedByY }
+pub enum Carried {
+    /// Its own.
+    Right,
+    /// The next one's.
+    Rotated,
+    /// The one's before.
+    RotatedBack,
+    /// The second and third exchanged.
+    LastTwoSwapped,
+    /// The first and second exchanged.
+    FirstTwoSwapped,
+    /// The first and third exchanged.
+    OuterSwapped,
+    /// Corners sorted by y, values not.
+    SortedByY,
+}
 
 /// From light to a level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Levels { Round, Down, Times256, Srgb, Gamma22, Unscaled, Squared }
+pub enum Levels {
+    /// round(255 c).
+    Round,
+    /// floor(255 c).
+    Down,
+    /// floor(256 c).
+    Times256,
+    /// The curve of sRGB.
+    Srgb,
+    /// The power 1/2.2.
+    Gamma22,
+    /// floor(c).
+    Unscaled,
+    /// round(255 c c).
+    Squared,
+}
 
 /// What transparency does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Blending { Over, Ignored, Invisible, Swapped, ListOrder }
+pub enum Blending {
+    /// The farthest first, each over what is behind.
+    Over,
+    /// Everything is opaque.
+    Ignored,
+    /// Transparent faces are not drawn.
+    Invisible,
+    /// Opacity is taken for transparency.
+    Swapped,
+    /// In the order of the list.
+    ListOrder,
+}
 
 /// How samples become a pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PixelFrom { Mean, FirstSample, MiddleSample, Most, MeanOfLevels }
+pub enum PixelFrom {
+    /// Their mean.
+    Mean,
+    /// The first.
+    FirstSample,
+    /// The one in the middle.
+    MiddleSample,
+    /// The brightest.
+    Most,
+    /// The mean of samples cut to levels.
+    MeanOfLevels,
+}
 
 /// How a lit sample gets its light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Light { Right, AtCorners, AtFirstCorner, NormalNotUnit, LampNotUnit, BothSides, NoAmbient, NoHighlight, HalfwayHighlight, HighlightEverywhere, ExponentOne }
+pub enum Light {
+    /// At the sample.
+    Right,
+    /// At the corners, interpolated.
+    AtCorners,
+    /// At the first corner.
+    AtFirstCorner,
+    /// With the normal as interpolated.
+    NormalNotUnit,
+    /// With the vector to the lamp as long as it is.
+    LampNotUnit,
+    /// From behind as well.
+    BothSides,
+    /// Without ambient light.
+    NoAmbient,
+    /// Without a highlight.
+    NoHighlight,
+    /// Highlight by the halfway vector.
+    HalfwayHighlight,
+    /// Highlight even where N.L < 0.
+    HighlightEverywhere,
+    /// Highlight without exponent.
+    ExponentOne,
+}
 
 /// Which samples a line shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Lines { DiamondExit, Truncated, ColumnsOnly, WithLastSample, Open, Nothing }
+pub enum Lines {
+    /// Whose diamond it leaves.
+    DiamondExit,
+    /// Stepped between whole ends.
+    Truncated,
+    /// Stepped along x only.
+    ColumnsOnly,
+    /// Whose diamond it touches.
+    WithLastSample,
+    /// All but those of the last edge.
+    Open,
+    /// None.
+    Nothing,
+}
 
 impl Default for Rules {
     /// The contract.

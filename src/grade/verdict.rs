@@ -225,7 +225,8 @@ pub(super) fn checked(answer: Result<Answer, Failure>, right: &Painted) -> Resul
         return Ok(answer);
     }
     let exchanged = (height, width) == (right.width, right.height);
-    let hint = if exchanged { "Width comes first, then height." } else { "The size is in the head of the screen file." };
+    let hint =
+        if exchanged { "Width comes first, then height." } else { "The size is in the head of the screen file." };
     Err(Failure {
         message: format!(
             "the picture is {width} x {height}, not {} x {}{}",

@@ -19,7 +19,8 @@ pub(super) fn complaint(subject: &dyn Subject, shot: &Shot, watch: Watch) -> Opt
         Watch::State => kept_state(subject, shot),
         Watch::PutOnce => {
             let overdraw = puts.map_or(0, |puts| puts.overdraw);
-            (overdraw > 0).then(|| format!("{overdraw} fragments were put where one already was: that is a z-buffer's way"))
+            (overdraw > 0)
+                .then(|| format!("{overdraw} fragments were put where one already was: that is a z-buffer's way"))
         }
         Watch::Picture | Watch::Cost => None,
     }

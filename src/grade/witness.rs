@@ -195,9 +195,8 @@ fn described(case: Case, picture: &Picture, before: &Rules) -> Witness {
     let first = all.first().copied().unwrap_or(0);
     let place = (first % right.width, first / right.width);
     let sample = ((place.0 as u32 * case.samples) as i32, (place.1 as u32 * case.samples) as i32);
-    let rows = (0..right.height).map(|y| {
-        (0..right.width).map(|x| symbol(&case, picture, &right, (x, y))).collect::<String>()
-    });
+    let rows =
+        (0..right.height).map(|y| (0..right.width).map(|x| symbol(&case, picture, &right, (x, y))).collect::<String>());
     Witness {
         wrong: all.len(),
         first: place,
@@ -244,7 +243,13 @@ fn edge_values(case: &Case, right: &Painted, sample: (i32, i32)) -> Vec<String> 
     let Some(face) = case.faces.get(right.front[at].unwrap_or(0)) else { return Vec::new() };
     let edge = |(a, b): (&(f64, f64), &(f64, f64))| {
         let value = cross(*a, *b, center);
-        let side = if value > 0.0 { "right of it" } else if value < 0.0 { "left of it" } else { "exactly on it" };
+        let side = if value > 0.0 {
+            "right of it"
+        } else if value < 0.0 {
+            "left of it"
+        } else {
+            "exactly on it"
+        };
         format!("({}, {}) to ({}, {}): {value:+}, {side}", a.0, a.1, b.0, b.1)
     };
     edges(&face.corners).map(edge).collect()

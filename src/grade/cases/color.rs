@@ -43,7 +43,8 @@ pub fn levels(_: u64) -> Vec<Case> {
 #[must_use]
 pub fn interpolation(seed: u64) -> Vec<Case> {
     let mut random = Random(seed ^ 0x60);
-    let mut cases = vec![Case::new("red, green, blue corners", (12, 12), vec![Face::smooth(LEFT, [2.0; 3], corner_colors())])];
+    let mut cases =
+        vec![Case::new("red, green, blue corners", (12, 12), vec![Face::smooth(LEFT, [2.0; 3], corner_colors())])];
     for number in 0..3 {
         let colors = [0; 3].map(|_| [0; 3].map(|_| random.coordinate(1) * 0.9));
         let face = Face::smooth(random.triangle(12, 12), [2.0; 3], colors);
@@ -75,8 +76,16 @@ pub fn perspective(seed: u64) -> Vec<Case> {
     let mut random = Random(seed ^ 0x9E);
     let face = |w| Face::smooth(LEFT, w, corner_colors());
     let floor = vec![
-        Face::smooth([(0.25, 11.75), (11.75, 11.75), (8.25, 1.25)], [1.0, 1.0, 8.0], [[0.9, 0.1, 0.1], [0.1, 0.9, 0.1], [0.1, 0.9, 0.9]]),
-        Face::smooth([(0.25, 11.75), (8.25, 1.25), (3.75, 1.25)], [1.0, 8.0, 8.0], [[0.9, 0.1, 0.1], [0.1, 0.9, 0.9], [0.9, 0.1, 0.9]]),
+        Face::smooth(
+            [(0.25, 11.75), (11.75, 11.75), (8.25, 1.25)],
+            [1.0, 1.0, 8.0],
+            [[0.9, 0.1, 0.1], [0.1, 0.9, 0.1], [0.1, 0.9, 0.9]],
+        ),
+        Face::smooth(
+            [(0.25, 11.75), (8.25, 1.25), (3.75, 1.25)],
+            [1.0, 8.0, 8.0],
+            [[0.9, 0.1, 0.1], [0.1, 0.9, 0.9], [0.9, 0.1, 0.9]],
+        ),
     ];
     let any = Face::smooth(random.triangle(12, 12), [0; 3].map(|_| 1.0 + random.coordinate(4)), corner_colors());
     vec![
@@ -117,7 +126,9 @@ pub fn samples(_: u64) -> Vec<Case> {
         case
     };
     let white = [0.98; 3];
-    let edge = |side: f64| vec![Face::flat(&[(0.25, 0.25), (side - 0.5, side / 3.0 + 0.125), (side / 4.0, side - 0.25)], 0.5, white)];
+    let edge = |side: f64| {
+        vec![Face::flat(&[(0.25, 0.25), (side - 0.5, side / 3.0 + 0.125), (side / 4.0, side - 0.25)], 0.5, white)]
+    };
     let abutting = vec![
         Face::flat(&[(0.0, 0.0), (19.25, 0.0), (12.25, 32.0), (0.0, 32.0)], 0.5, white),
         Face::flat(&[(19.25, 0.0), (32.0, 0.0), (32.0, 32.0), (12.25, 32.0)], 0.5, white),

@@ -33,11 +33,14 @@ pub fn order(_: u64) -> Vec<Case> {
 /// The same depth twice.
 #[must_use]
 pub fn equal(_: u64) -> Vec<Case> {
-    vec![Case::new("equal depths", (11, 10), pair(0.5, 0.5)), Case::new("three equal", (11, 10), {
-        let mut faces = pair(0.5, 0.5);
-        faces.push(Face::flat(&rectangle(2.25, 0.25, 5.75, 9.75), 0.5, tint(2)));
-        faces
-    })]
+    vec![
+        Case::new("equal depths", (11, 10), pair(0.5, 0.5)),
+        Case::new("three equal", (11, 10), {
+            let mut faces = pair(0.5, 0.5);
+            faces.push(Face::flat(&rectangle(2.25, 0.25, 5.75, 9.75), 0.5, tint(2)));
+            faces
+        }),
+    ]
 }
 
 /// Faces that pierce each other, and three that overlap in a ring.
@@ -93,7 +96,11 @@ pub fn glass(_: u64) -> Vec<Case> {
         Case::new("glass before", (12, 12), vec![pane(0.25, 0.25, 0, 1.0), pane(3.25, 0.5, 1, 0.25)]),
         Case::new("glass first in the list", (12, 12), vec![pane(3.25, 0.5, 1, 0.25), pane(0.25, 0.25, 0, 1.0)]),
         Case::new("glass behind", (12, 12), vec![pane(0.25, 0.5, 0, 1.0), pane(3.25, 0.25, 1, 0.25)]),
-        Case::new("two panes", (12, 12), vec![pane(0.25, 0.75, 0, 0.75), pane(2.25, 0.5, 1, 0.25), pane(5.25, 0.25, 2, 1.0)]),
+        Case::new(
+            "two panes",
+            (12, 12),
+            vec![pane(0.25, 0.75, 0, 0.75), pane(2.25, 0.5, 1, 0.25), pane(5.25, 0.25, 2, 1.0)],
+        ),
     ]
 }
 

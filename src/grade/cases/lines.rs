@@ -23,10 +23,11 @@ pub fn directions(_: u64) -> Vec<Case> {
 pub fn outlines(_: u64) -> Vec<Case> {
     vec![
         wires("rectangle", (12, 10), &[&rectangle(1.625, 1.375, 9.625, 7.375)]),
-        wires("two triangles", (12, 12), &[
-            &[(1.2, 1.3), (10.4, 2.2), (5.7, 10.6)].map(snap),
-            &[(10.4, 2.2), (11.1, 11.2), (5.7, 10.6)].map(snap),
-        ]),
+        wires(
+            "two triangles",
+            (12, 12),
+            &[&[(1.2, 1.3), (10.4, 2.2), (5.7, 10.6)].map(snap), &[(10.4, 2.2), (11.1, 11.2), (5.7, 10.6)].map(snap)],
+        ),
     ]
 }
 

@@ -10,7 +10,16 @@ pub mod lines;
 
 /// The color of face `number`: no two alike, no channel like another.
 pub(super) fn tint(number: usize) -> [f64; 3] {
-    let levels = [[150, 40, 90], [30, 170, 60], [60, 80, 180], [170, 140, 20], [120, 20, 160], [20, 130, 140], [90, 110, 30], [180, 70, 50]];
+    let levels = [
+        [150, 40, 90],
+        [30, 170, 60],
+        [60, 80, 180],
+        [170, 140, 20],
+        [120, 20, 160],
+        [20, 130, 140],
+        [90, 110, 30],
+        [180, 70, 50],
+    ];
     let [r, g, b] = levels[number % levels.len()];
     // From the ninth on a little darker, so that a mesh of many faces has no two alike either.
     let dark = (number / levels.len()) as f64;

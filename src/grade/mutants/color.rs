@@ -124,7 +124,12 @@ pub(super) const MUTANTS: &[Mutant] = &[
         |rules| rules.light = Light::AtCorners,
     ),
     mutant(
-        ["lit once a polygon", "The light of one corner stands for the polygon.", "Compute the light at every sample.", SHADING],
+        [
+            "lit once a polygon",
+            "The light of one corner stands for the polygon.",
+            "Compute the light at every sample.",
+            SHADING,
+        ],
         |rules| rules.light = Light::AtFirstCorner,
     ),
     mutant(
@@ -137,15 +142,30 @@ pub(super) const MUTANTS: &[Mutant] = &[
         |rules| rules.light = Light::NormalNotUnit,
     ),
     mutant(
-        ["direction to the lamp not unit", "The vector to the lamp has its length left.", "N.L is of unit vectors.", SHADING],
+        [
+            "direction to the lamp not unit",
+            "The vector to the lamp has its length left.",
+            "N.L is of unit vectors.",
+            SHADING,
+        ],
         |rules| rules.light = Light::LampNotUnit,
     ),
     mutant(
-        ["lit from behind", "Surfaces turned away from the lamp are lit as well.", "Diffuse light is max(0, N.L).", SHADING],
+        [
+            "lit from behind",
+            "Surfaces turned away from the lamp are lit as well.",
+            "Diffuse light is max(0, N.L).",
+            SHADING,
+        ],
         |rules| rules.light = Light::BothSides,
     ),
     mutant(
-        ["ambient light lost", "There is no ambient light.", "Ambient light is everywhere, the lamp's is added.", SHADING],
+        [
+            "ambient light lost",
+            "There is no ambient light.",
+            "Ambient light is everywhere, the lamp's is added.",
+            SHADING,
+        ],
         |rules| rules.light = Light::NoAmbient,
     ),
     mutant(
@@ -170,8 +190,7 @@ pub(super) const MUTANTS: &[Mutant] = &[
         ],
         |rules| rules.light = Light::HighlightEverywhere,
     ),
-    mutant(
-        ["exponent lost", "The highlight has no exponent.", "The highlight is (R.V)^n.", SHADING],
-        |rules| rules.light = Light::ExponentOne,
-    ),
+    mutant(["exponent lost", "The highlight has no exponent.", "The highlight is (R.V)^n.", SHADING], |rules| {
+        rules.light = Light::ExponentOne
+    }),
 ];

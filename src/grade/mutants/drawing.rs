@@ -25,14 +25,12 @@ const SAMPLES: [&str; 4] = [
 ];
 
 pub(super) const MUTANTS: &[Mutant] = &[
-    mutant(
-        ["nothing drawn", "No polygon is drawn.", "Put a fragment on every covered sample.", PAGE],
-        |rules| (rules.fill, rules.lines) = (Fill::Nothing, Lines::Nothing),
-    ),
-    mutant(
-        ["upside down", "The picture is upside down.", "y runs down: row 0 is the uppermost.", PAGE],
-        |rules| rules.place = Place::UpsideDown,
-    ),
+    mutant(["nothing drawn", "No polygon is drawn.", "Put a fragment on every covered sample.", PAGE], |rules| {
+        (rules.fill, rules.lines) = (Fill::Nothing, Lines::Nothing)
+    }),
+    mutant(["upside down", "The picture is upside down.", "y runs down: row 0 is the uppermost.", PAGE], |rules| {
+        rules.place = Place::UpsideDown
+    }),
     mutant(
         ["mirrored", "Left and right are exchanged.", "x runs to the right: column 0 is the leftmost.", PAGE],
         |rules| rules.place = Place::Mirrored,
