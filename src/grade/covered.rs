@@ -50,6 +50,7 @@ impl Outline {
         match rules.fill {
             Fill::Nothing => false,
             Fill::Box => self.in_box(point),
+            Fill::Corners => self.has_corner_in((x, y), rules.cover_at),
             Fill::Spans(rule) => self.in_span((x, y), rule),
             Fill::Hull => self.is_between(point, rules.ties),
             Fill::AllEdges => self.is_on_one_side(point, rules.ties),
@@ -77,6 +78,12 @@ impl Outline {
 
     fn in_box(&self, (x, y): Point) -> bool {
         self.low.0 <= x && x < self.high.0 && self.low.1 <= y && y < self.high.1
+    }
+
+    /// Whether a corner lies in the sample; what lies on the right or lower side of the picture is in nobody's.
+    fn has_corner_in(&self, (x, y): (i32, i32), (dx, dy): Point) -> bool {
+        let cell = |corner: &Point| ((corner.0 + 0.5 - dx).floor() as i32, (corner.1 + 0.5 - dy).floor() as i32);
+        self.corners.iter().any(|corner| cell(corner) == (x, y))
     }
 
     fn is_between(&self, point: Point, ties: Ties) -> bool {

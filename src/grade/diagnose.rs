@@ -44,6 +44,9 @@ pub struct Fault {
 const OTHER_TIES: &str = "another side owns the edges";
 /// Part of the mismatches that a named mistake leaves at most, and by which it beats the next.
 const MARGIN: f64 = 0.05;
+/// Names that are tried as the first of two mistakes, and pairs that are compared on everything.
+const FIRST_OF_PAIR: usize = 8;
+const MOST_PAIRS: usize = 60;
 /// More mistakes in one rasterizer are not told apart.
 const MOST_FAULTS: usize = 5;
 
@@ -135,10 +138,66 @@ impl Search {
             self.name(&scores[0], (&left, &tables), left[first]);
             return true;
         }
+        // Two at once for that aspect: the first is named, the second is alone then.
+        if let Some(score) =
+            self.pair(first, aspects, &scores).and_then(|mutant| scores.iter().find(|score| score.mutant == mutant))
+        {
+            self.name(score, (&left, &tables), left[first]);
+            return true;
+        }
         let next = self.next(&scores);
         let best = |score: &Score| (self.mutants[score.mutant].name, score.here);
         self.given_up.push((first, [best(&scores[0]), next.map_or(("none", left[first]), best)], left[first]));
         true
+    }
+
+    /// The first of two mistakes that together explain one aspect, as clearly as one must alone; tried with the best few.
+    fn pair(&self, aspect: usize, aspects: &[AspectVerdict], scores: &[Score]) -> Option<usize> {
+        let shots = &aspects[aspect].shots;
+        let total = mismatches(shots, &self.rules);
+        let margin = ((total as f64 * MARGIN).ceil() as usize).max(1);
+        let mut pairs = Vec::new();
+        for first in self.best_names(scores) {
+            let rules = self.mutants[first].applied_to(&self.rules);
+            for second in
+                (0..self.mutants.len()).filter(|&second| self.mutants[second].name != self.mutants[first].name)
+            {
+                pairs.push((mismatches(shots, &self.mutants[second].applied_to(&rules)), first, second));
+            }
+        }
+        let least = pairs.iter().map(|pair| pair.0).min()?;
+        pairs.retain(|pair| pair.0 < least + margin);
+        if least as f64 > MARGIN * total as f64 || pairs.len() > MOST_PAIRS {
+            return None;
+        }
+        // What the aspect cannot tell apart, all of them together may.
+        let everywhere = |&(_, first, second): &(usize, usize, usize)| {
+            let rules = self.mutants[second].applied_to(&self.mutants[first].applied_to(&self.rules));
+            let left = aspects.iter().map(|aspect| mismatches(&aspect.shots, &rules)).sum::<usize>();
+            (left, first, second)
+        };
+        let mut pairs: Vec<_> = pairs.iter().map(everywhere).collect();
+        pairs.sort_unstable();
+        let names = |pair: &(usize, usize, usize)| {
+            let mut names = [self.mutants[pair.1].name, self.mutants[pair.2].name];
+            names.sort_unstable();
+            names
+        };
+        let rival = pairs.iter().find(|pair| names(pair) != names(&pairs[0]));
+        rival.is_none_or(|rival| rival.0 >= pairs[0].0 + margin).then_some(pairs[0].1)
+    }
+
+    /// The best mutant of each of the best few names.
+    fn best_names(&self, scores: &[Score]) -> Vec<usize> {
+        let mut best: Vec<usize> = Vec::new();
+        for score in scores {
+            if best.len() < FIRST_OF_PAIR
+                && best.iter().all(|&other| self.mutants[other].name != self.mutants[score.mutant].name)
+            {
+                best.push(score.mutant);
+            }
+        }
+        best
     }
 
     /// Mismatches left in every aspect when `mutant` is added to the rules.

@@ -116,8 +116,8 @@ fn paint_samples(case: &Case, rules: &Rules) -> Vec<Sample> {
 
 /// What covers one sample.
 struct Stack {
-    /// Face and depth, in list order.
-    layers: Vec<(usize, f64)>,
+    /// Face, depth, and whether it was in front of what was opaque when its turn came; in list order.
+    layers: Vec<(usize, f64, bool)>,
     /// The opaque face that keeps the sample.
     front: Option<(usize, f64)>,
 }
@@ -128,10 +128,6 @@ impl Stack {
         for index in covering {
             let face = &case.faces[index];
             let depth = depth(face, rules, sample);
-            stack.layers.push((index, depth));
-            if face.opacity < 1.0 && rules.blending != Blending::Ignored {
-                continue;
-            }
             let wins = match (rules.front, stack.front) {
                 (Front::Last, _) => true,
                 (Front::First, front) => front.is_none(),
@@ -140,7 +136,9 @@ impl Stack {
                 (Front::Nearest, Some((_, old))) => depth > old || (rules.later_wins_ties && depth == old),
                 (Front::Farthest, Some((_, old))) => depth < old,
             };
-            if wins {
+            stack.layers.push((index, depth, wins));
+            let is_clear = face.opacity < 1.0 && rules.blending != Blending::Ignored;
+            if wins && !is_clear {
                 stack.front = Some((index, depth));
             }
         }
@@ -150,7 +148,8 @@ impl Stack {
     fn shown(&self, case: &Case, rules: &Rules, empty: Sample, color: impl Fn(usize) -> [f64; 3]) -> Sample {
         let mut shown = self.front.map_or(empty.color, |(index, _)| color(index));
         let behind = self.front.map_or(f64::NEG_INFINITY, |(_, depth)| depth);
-        let is_clear = |&&(index, depth): &&(usize, f64)| case.faces[index].opacity < 1.0 && depth > behind;
+        let is_clear =
+            |&&(index, depth, wins): &&(usize, f64, bool)| wins && case.faces[index].opacity < 1.0 && depth > behind;
         let mut clear: Vec<_> = self.layers.iter().filter(is_clear).collect();
         match rules.blending {
             Blending::Ignored | Blending::Invisible => clear.clear(),
@@ -161,7 +160,7 @@ impl Stack {
             }
             Blending::ListOrder => {}
         }
-        for &&(index, _) in &clear {
+        for &&(index, ..) in &clear {
             let opacity = case.faces[index].opacity;
             let opacity = if rules.blending == Blending::Swapped { 1.0 - opacity } else { opacity };
             let own = color(index);
@@ -174,7 +173,7 @@ impl Stack {
     fn is_disputed(&self, case: &Case) -> bool {
         let slanted = |index: usize| case.faces[index].inverse_w[..2] != [0.0, 0.0];
         let Some((front, depth)) = self.front else { return false };
-        self.layers.iter().any(|&(index, other)| {
+        self.layers.iter().any(|&(index, other, _)| {
             index != front
                 && (slanted(index) || slanted(front))
                 && case.faces[index].inverse_w != case.faces[front].inverse_w

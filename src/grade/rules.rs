@@ -131,6 +131,8 @@ pub enum Fill {
     Fan,
     /// Edges own both their ends: parity is wrong where a corner lies on a scan line.
     BothEnds,
+    /// The samples that hold a corner.
+    Corners,
     /// The first triangle only.
     FirstTriangle,
     /// Nothing at all.

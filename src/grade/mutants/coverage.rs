@@ -1,7 +1,7 @@
 //! Mistakes about which samples a polygon covers.
 
 use super::{Mutant, mutant};
-use crate::grade::rules::{Bounds, Fill, Rounding, SpanRule, Ties, Winding};
+use crate::grade::rules::{Bounds, Fill, Front, Rounding, SpanRule, Ties, Winding};
 
 const PAGE: &str = "docs/conventions.md";
 
@@ -129,6 +129,15 @@ pub(super) const MUTANTS: &[Mutant] = &[
             "docs/splitting.md",
         ],
         |rules| rules.fill = Fill::FirstTriangle,
+    ),
+    mutant(
+        [
+            "corners only",
+            "Only the samples that hold a corner are drawn: nothing is filled yet.",
+            "Every sample whose center is inside the outline is drawn: go over the polygon's bounds and ask.",
+            PAGE,
+        ],
+        |rules| (rules.fill, rules.front) = (Fill::Corners, Front::Last),
     ),
     mutant(
         [
