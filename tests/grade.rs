@@ -1,11 +1,12 @@
 //! The grader: built-in rasterizers pass their labs, planted mistakes are named with small witnesses, results outlive a panic.
 
+use farop::grade::folder::{Pictures, files};
 use farop::grade::labs::{self, Aspect};
 use farop::grade::paint::paint;
 use farop::grade::rubric::Rubric;
 use farop::grade::rules::Rules;
 use farop::grade::verdict::Cause;
-use farop::grade::{InProcess, LABS, Request, Verdict, grade, mutants, write};
+use farop::grade::{InProcess, LABS, Request, Subject, Verdict, grade, mutants, write};
 use farop::oracle::exact::{self, Rules as Exact};
 use farop::plan::Accepts;
 use farop::raster::{PerPolygon, PolygonRasterizer, Rasterizer, Target, Watkins, Wire, ZBuffer};
@@ -247,4 +248,40 @@ fn a_rubric_changes_points_and_knows_the_aspects() {
     assert_eq!([of("sample position"), of("ties"), of("depth")], [Some(20.0), Some(0.0), Some(15.0)]);
     assert!(Rubric::parse("[points]\ntiles = 3\n", lab).is_err_and(|text| text.contains("no aspect `tiles`")));
     assert!(Rubric::parse("[points]\nties = -3\n", lab).is_err());
+}
+
+#[test]
+fn pictures_made_elsewhere_get_the_same_verdict_and_damage_has_a_name() {
+    let (lab, folder) = (labs::find("zbuffer").expect("a lab"), tempfile::tempdir().expect("a folder"));
+    let mut paths = Vec::new();
+    for (name, case) in files(lab, 1) {
+        let answer = InProcess(&ZBuffer).draw(&case.list(Accepts::AnyPolygon), &case.sheet()).expect("a picture");
+        let path = folder.path().join(name + ".ppm");
+        let bytes = farop::image::encode_for(&path, &answer.picture).expect("a file");
+        std::fs::write(&path, &bytes).expect("written");
+        paths.push((path, bytes));
+    }
+    let points = |aspect: &Aspect| f64::from(aspect.points);
+    let request = Request { lab, name: "pictures".to_string(), seed: 1, points: &points };
+    let judged = || grade(&Pictures::new(folder.path(), lab, 1), &request, &mut |_| ());
+    let verdict = judged();
+    assert!(verdict.is_passed(), "{}", write::text(&verdict));
+
+    let text_mode =
+        paths[0].1.iter().flat_map(|&byte| if byte == b'\n' { vec![b'\r', byte] } else { vec![byte] }).collect();
+    let chatty = [b"drawing...\n", paths[1].1.as_slice()].concat();
+    let turned = String::from_utf8_lossy(&paths[2].1[..9]).replace("15 10", "10 15").into_bytes();
+    let turned = [turned.as_slice(), &paths[2].1[9..]].concat();
+    let damages: [(usize, Vec<u8>, &str); 4] = [
+        (0, text_mode, "text mode"),
+        (1, chatty, "printed first"),
+        (2, turned, "exchanged"),
+        (4, b"P3\n1 1\n255\n0 0 0\n".to_vec(), "P3"),
+    ];
+    for (index, bytes, words) in damages {
+        std::fs::write(&paths[index].0, bytes).expect("written");
+        let text = write::text(&judged());
+        assert!(text.contains(words), "{words}\n{text}");
+        std::fs::write(&paths[index].0, &paths[index].1).expect("written");
+    }
 }

@@ -42,6 +42,8 @@ pub struct Fault {
 
 /// The name of the mistake that a lab may accept.
 const OTHER_TIES: &str = "another side owns the edges";
+/// Mistakes behind which there is nothing to be graded yet: what follows from them earns nothing.
+const UNFORGIVEN: [&str; 2] = ["nothing drawn", "corners only"];
 /// Part of the mismatches that a named mistake leaves at most, and by which it beats the next.
 const MARGIN: f64 = 0.05;
 /// Names that are tried as the first of two mistakes, and pairs that are compared on everything.
@@ -77,7 +79,7 @@ fn notes(faults: &[Fault]) -> Vec<String> {
 }
 
 fn points(aspect: &AspectVerdict, faults: &[Fault], rules: &Rules) -> f64 {
-    let is_forgiven = |fault: &Fault| fault.is_accepted || fault.name != "nothing drawn";
+    let is_forgiven = |fault: &Fault| fault.is_accepted || !UNFORGIVEN.contains(&fault.name);
     match aspect.cause {
         Some(Cause::FollowsFrom(fault)) if is_forgiven(&faults[fault]) && follows(aspect, rules) => aspect.most,
         Some(Cause::Named(fault)) if faults[fault].is_accepted && follows(aspect, rules) => aspect.most,

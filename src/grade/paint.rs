@@ -107,7 +107,10 @@ fn paint_samples(case: &Case, rules: &Rules) -> Vec<Sample> {
         for x in 0..case.width as i32 {
             let covering = (0..case.faces.len()).filter(|&index| outlines[index].covers((x, y), rules));
             let stack = Stack::of(case, rules, (x, y), covering);
-            let color = |index: usize| face_color(case, index, &corner_values[index], rules, (x, y));
+            let color = |index: usize| {
+                let color = face_color(case, index, &corner_values[index], rules, (x, y));
+                rules.face_channels.map(|channel| color[channel])
+            };
             samples.push(stack.shown(case, rules, empty(case, rules), color));
         }
     }

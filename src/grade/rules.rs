@@ -41,6 +41,8 @@ pub struct Rules {
     pub carried: Carried,
     /// Which channel is written first, second, third.
     pub channels: [usize; 3],
+    /// The same of the polygons alone: the background stays as it is.
+    pub face_channels: [usize; 3],
     /// From light to 0..255.
     pub levels: Levels,
     /// What transparency does.
@@ -406,6 +408,7 @@ impl Default for Rules {
             values: Interpolation::Perspective,
             carried: Carried::Right,
             channels: [0, 1, 2],
+            face_channels: [0, 1, 2],
             levels: Levels::Round,
             blending: Blending::Over,
             background: None,

@@ -95,6 +95,11 @@ pub(super) const MUTANTS: &[Mutant] = &[
     mutant(CHANNELS, |rules| rules.channels = [0, 2, 1]),
     mutant(CHANNELS, |rules| rules.channels = [1, 2, 0]),
     mutant(CHANNELS, |rules| rules.channels = [2, 0, 1]),
+    mutant(CHANNELS, |rules| rules.face_channels = [2, 1, 0]),
+    mutant(CHANNELS, |rules| rules.face_channels = [1, 0, 2]),
+    mutant(CHANNELS, |rules| rules.face_channels = [0, 2, 1]),
+    mutant(CHANNELS, |rules| rules.face_channels = [1, 2, 0]),
+    mutant(CHANNELS, |rules| rules.face_channels = [2, 0, 1]),
     mutant(
         ["one channel for all", "All three channels show the same one.", "A pixel is red, green, blue.", PAGE],
         |rules| rules.channels = [0, 0, 0],
