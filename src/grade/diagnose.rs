@@ -161,9 +161,7 @@ impl Search {
         let mut pairs = Vec::new();
         for first in self.best_names(scores) {
             let rules = self.mutants[first].applied_to(&self.rules);
-            for second in
-                (0..self.mutants.len()).filter(|&second| self.mutants[second].name != self.mutants[first].name)
-            {
+            for second in (0..self.mutants.len()).filter(|&second| self.can_follow(first, second)) {
                 pairs.push((mismatches(shots, &self.mutants[second].applied_to(&rules)), first, second));
             }
         }
@@ -189,10 +187,14 @@ impl Search {
         rival.is_none_or(|rival| rival.0 >= pairs[0].0 + margin).then_some(pairs[0].1)
     }
 
+    fn can_follow(&self, first: usize, second: usize) -> bool {
+        self.mutants[second].name != self.mutants[first].name && !self.is_old(&self.mutants[second])
+    }
+
     /// The best mutant of each of the best few names.
     fn best_names(&self, scores: &[Score]) -> Vec<usize> {
         let mut best: Vec<usize> = Vec::new();
-        for score in scores {
+        for score in scores.iter().filter(|score| !self.is_old(&self.mutants[score.mutant])) {
             if best.len() < FIRST_OF_PAIR
                 && best.iter().all(|&other| self.mutants[other].name != self.mutants[score.mutant].name)
             {
@@ -205,10 +207,16 @@ impl Search {
     /// Mismatches left in every aspect when `mutant` is added to the rules.
     fn table(&self, mutant: &Mutant, aspects: &[AspectVerdict], left: &[usize]) -> Vec<usize> {
         let rules = mutant.applied_to(&self.rules);
-        if rules == self.rules {
+        if rules == self.rules || self.is_old(mutant) {
             return left.to_vec();
         }
         aspects.iter().map(|aspect| mismatches(&aspect.shots, &rules)).collect()
+    }
+
+    /// Whether a mutant was named before, or takes back what was: then it is no second mistake.
+    fn is_old(&self, mutant: &Mutant) -> bool {
+        let takes_back = |fault: &Fault| mutant.applied_to(&fault.rules.0) == mutant.applied_to(&fault.rules.1);
+        self.faults.iter().any(|fault| fault.name == mutant.name || takes_back(fault))
     }
 
     /// The best mutant of another name than the first.

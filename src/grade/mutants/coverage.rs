@@ -115,6 +115,8 @@ pub(super) const MUTANTS: &[Mutant] = &[
     mutant(TIES, |rules| rules.ties = Ties::Consistent { x: 1, y: -1, x_first: false }),
     mutant(TIES, |rules| rules.ties = Ties::Consistent { x: -1, y: -1, x_first: false }),
     mutant(ALL_TIES, |rules| rules.ties = Ties::All),
+    // Without area there is no inside, even for many who count every edge in.
+    mutant(ALL_TIES, |rules| (rules.ties, rules.least_area) = (Ties::All, 1e-9)),
     mutant(NO_TIES, |rules| rules.ties = Ties::Nobody),
     mutant(WINDING, |rules| rules.winding = Winding::Clockwise),
     mutant(WINDING, |rules| rules.winding = Winding::CounterClockwise),
