@@ -110,20 +110,28 @@ struct Score {
     everywhere: usize,
 }
 
+/// An aspect that no mistake explains.
+struct GivenUp {
+    aspect: usize,
+    /// The best two: name, and mismatches that are left.
+    best: [(&'static str, usize); 2],
+    /// Mismatches that there were.
+    total: usize,
+}
+
 struct Search {
     mutants: Vec<Mutant>,
     /// The contract with all mistakes named so far.
     rules: Rules,
     faults: Vec<Fault>,
-    /// Aspects that no mistake explains, with the best two: name and mismatches left, and how many there were.
-    given_up: Vec<(usize, [(&'static str, usize); 2], usize)>,
+    given_up: Vec<GivenUp>,
 }
 
 impl Search {
     /// Names one mistake or gives one aspect up; false when there is nothing left to do.
     fn step(&mut self, aspects: &[AspectVerdict]) -> bool {
         let left: Vec<usize> = aspects.iter().map(|aspect| mismatches(&aspect.shots, &self.rules)).collect();
-        let open = |index: usize| !self.given_up.iter().any(|(given_up, ..)| *given_up == index);
+        let open = |index: usize| !self.given_up.iter().any(|given_up| given_up.aspect == index);
         let Some(first) = (0..aspects.len()).find(|&index| left[index] > 0 && open(index)) else { return false };
         let tables: Vec<Vec<usize>> = self.mutants.iter().map(|mutant| self.table(mutant, aspects, &left)).collect();
 
@@ -149,7 +157,8 @@ impl Search {
         }
         let next = self.next(&scores);
         let best = |score: &Score| (self.mutants[score.mutant].name, score.here);
-        self.given_up.push((first, [best(&scores[0]), next.map_or(("none", left[first]), best)], left[first]));
+        let best = [best(&scores[0]), next.map_or(("none", left[first]), best)];
+        self.given_up.push(GivenUp { aspect: first, best, total: left[first] });
         true
     }
 
@@ -263,8 +272,9 @@ impl Search {
         if aspect.is_right() {
             return None;
         }
-        if let Some((_, [closest, next], total)) = self.given_up.iter().find(|(given_up, ..)| *given_up == index) {
-            let explained = |left: usize| total - left.min(*total);
+        if let Some(given_up) = self.given_up.iter().find(|given_up| given_up.aspect == index) {
+            let [closest, next] = given_up.best;
+            let explained = |left: usize| given_up.total - left.min(given_up.total);
             return Some(Cause::Unexplained {
                 closest: closest.0,
                 explained: explained(closest.1),
