@@ -22,7 +22,7 @@ use std::path::{Path, PathBuf};
 /// A set of screen files for a lab, with expected pictures and readers
 #[derive(Args)]
 #[command(
-    after_help = "Examples:\n  farop suite spd:gears:1 spd:teapot:4 --size 128 -o lab1\n  farop suite zbuffer -o probes\n  farop suite scene.nff --classic --seed 7 -o lab2"
+    after_help = "Examples:\n  farop suite spd:gears:1 spd:teapot:4 --size 128 -o lab1\n  farop suite zbuffer -o probes"
 )]
 pub(super) struct SuiteCommand {
     #[command(flatten)]

@@ -130,6 +130,9 @@ struct Search {
 impl Search {
     /// Names one mistake or gives one aspect up; false when there is nothing left to do.
     fn step(&mut self, aspects: &[AspectVerdict]) -> bool {
+        if self.faults.iter().any(|fault| UNFORGIVEN.contains(&fault.name)) {
+            return false;
+        }
         let left: Vec<usize> = aspects.iter().map(|aspect| mismatches(&aspect.shots, &self.rules)).collect();
         let open = |index: usize| !self.given_up.iter().any(|given_up| given_up.aspect == index);
         let Some(first) = (0..aspects.len()).find(|&index| left[index] > 0 && open(index)) else { return false };
