@@ -60,7 +60,12 @@ fn checks() -> String {
 }
 
 fn labs() -> String {
-    let probes = grade::probes().iter().map(|probe| format!("  {:<20}{}\n", probe.name, probe.tests));
-    "zbuffer: coverage, ties and depth (student_rasterizers/README.md); its probes:\n".to_string()
-        + &probes.collect::<String>()
+    let mut text = String::new();
+    for lab in grade::LABS {
+        text += &format!("{:<14}{}\n", lab.name, lab.summary);
+        for aspect in lab.aspects {
+            text += &format!("  {:<18}{:>3}  {}\n", aspect.name, aspect.points, aspect.asks);
+        }
+    }
+    text + "The number is the points of an aspect. Grade with `farop grade LAB -r NAME`.\n"
 }

@@ -13,6 +13,7 @@ mod convert;
 mod dump;
 mod error;
 mod generate;
+mod grade;
 mod lab;
 mod lighting;
 mod list;
@@ -89,6 +90,7 @@ enum Command {
     Compare(compare::CompareCommand),
     Check(check::CheckCommand),
     Lab(lab::LabCommand),
+    Grade(grade::GradeCommand),
     Convert(convert::ConvertCommand),
     Generate(generate::GenerateCommand),
     Plan(plan::PlanCommand),
@@ -129,6 +131,7 @@ impl Command {
             Command::Compare(command) => command.run(),
             Command::Check(command) => command.run(),
             Command::Lab(command) => command.run(registry),
+            Command::Grade(command) => command.run(registry),
             Command::Convert(command) => command.run(),
             Command::Generate(command) => command.run(),
             Command::Plan(command) => command.run(registry),

@@ -13,7 +13,7 @@ use crate::plan::{Choices, Shading};
 use crate::raster::{Registry, ZBuffer};
 use crate::render::{self, Canvas};
 use crate::scene::Scene;
-use crate::screen::file::READERS;
+use crate::screen::file::{Attributes, READERS, write_v2};
 use crate::screen::{DrawList, ScreenPolygon};
 use clap::Args;
 use sha2::{Digest, Sha256};
@@ -22,7 +22,7 @@ use std::path::{Path, PathBuf};
 /// A set of screen files for a lab, with expected pictures and readers
 #[derive(Args)]
 #[command(
-    after_help = "Examples:\n  farop suite spd:gears:1 spd:teapot:4 --size 128 -o lab1\n  farop suite scene.nff --classic --seed 7 -o lab2"
+    after_help = "Examples:\n  farop suite spd:gears:1 spd:teapot:4 --size 128 -o lab1\n  farop suite zbuffer -o probes"
 )]
 pub(super) struct SuiteCommand {
     #[command(flatten)]
@@ -80,6 +80,12 @@ const FEW: usize = 12;
 
 impl SuiteCommand {
     pub fn run(self, _registry: &Registry) -> Result<(), CliError> {
+        if let [name] = self.scenes.scenes.as_slice()
+            && let Some(lab) = crate::grade::labs::find(name)
+            && !Path::new(name).exists()
+        {
+            return self.write_lab(lab);
+        }
         // Read everything before the first folder is made: a bad scene leaves nothing behind.
         let mut scenes = Vec::new();
         for name in &self.scenes.scenes {
@@ -111,6 +117,28 @@ impl SuiteCommand {
             entries.len(),
             self.output.display(),
             expected.display()
+        ))
+    }
+
+    /// Writes the cases of a lab, for pictures drawn elsewhere: `farop grade LAB --pictures DIR` judges them.
+    fn write_lab(&self, lab: &crate::grade::Lab) -> Result<(), CliError> {
+        make_folder(&self.output)?;
+        let files = crate::grade::folder::files(lab, self.seed);
+        for (name, case) in &files {
+            let mut text = Vec::new();
+            let list = case.list(crate::plan::Accepts::AnyPolygon);
+            write_v2(&list, &case.sheet(), Attributes::default(), &mut text).map_err(CliError::failed)?;
+            save::write_whole(&self.output.join(format!("{name}.scr")), &text)?;
+        }
+        for (name, text) in READERS {
+            save::write_whole(&self.output.join(name), text.as_bytes())?;
+        }
+        error::print(&format!(
+            "{} screen files in {}; draw each as NAME.ppm, then `farop grade {} --pictures DIR --seed {}`\n",
+            files.len(),
+            self.output.display(),
+            lab.name,
+            self.seed
         ))
     }
 

@@ -10,9 +10,31 @@
 //! color that belongs to no polygon.
 //! Cost: a few hundred samples a probe.
 
+pub mod case;
+mod cases;
+mod covered;
+mod diagnose;
+pub mod folder;
+pub mod labs;
+mod lighting;
+mod lines;
+pub mod mutants;
+pub mod paint;
+mod place;
 mod probes;
+pub mod rubric;
+pub mod rules;
+pub mod subject;
+pub mod verdict;
+mod watch;
+pub mod witness;
+pub mod write;
 
+pub use diagnose::Fault;
+pub use labs::{LABS, Lab};
 pub use probes::{Flat, Probe, probes};
+pub use subject::{InProcess, Subject};
+pub use verdict::{Request, Verdict, grade};
 
 use crate::color::Rgb;
 use crate::geometry::split::{SplitScratch, split};

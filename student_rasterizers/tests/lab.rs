@@ -182,3 +182,16 @@ fn the_ten_lines_of_the_readme_are_the_ten_lines_that_run() {
     let body = source.split("target: &mut Target<'_>) {\n").nth(1).expect("a body");
     assert_eq!(body.lines().take_while(|line| *line != "    }").count(), 10);
 }
+
+#[test]
+fn the_grader_says_what_the_skeleton_does() {
+    use farop::grade::{InProcess, Request, grade, labs};
+    let registry = student_rasterizers::registry();
+    let mine = registry.find("mine").expect("registered");
+    let lab = labs::find("zbuffer").expect("a lab");
+    let points = |aspect: &labs::Aspect| f64::from(aspect.points);
+    let request = Request { lab, name: "mine".to_string(), seed: 1, points: &points };
+    let verdict = grade(&InProcess(mine.rasterizer.as_ref()), &request, &mut |_| ());
+    assert_eq!(verdict.faults[0].name, "corners only", "{}", farop::grade::write::text(&verdict));
+    assert!(!verdict.is_passed() && verdict.earned() < 0.3 * verdict.most(), "{}", verdict.earned());
+}

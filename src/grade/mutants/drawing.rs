@@ -1,0 +1,128 @@
+//! Mistakes about where samples land, what is behind them, how they become pixels, and which of them a line shows.
+
+use super::{Mutant, mutant};
+use crate::grade::rules::{Border, Fill, Lines, PixelFrom, Place};
+
+const PAGE: &str = "docs/conventions.md";
+const WIRE: &str = "docs/conventions.md";
+const SHIFTED: [&str; 4] = [
+    "picture moved by one",
+    "The whole picture lies one sample beside its place.",
+    "The first column and the first row are number 0.",
+    PAGE,
+];
+const BORDER: [&str; 4] = [
+    "border of the picture left out",
+    "The last (or first) column or row of the picture is never drawn.",
+    "Columns are 0 to width - 1, rows 0 to height - 1, all included.",
+    PAGE,
+];
+const SAMPLES: [&str; 4] = [
+    "one sample a pixel",
+    "Of a pixel's A x A samples only one is shown.",
+    "A pixel is the mean of its A x A samples.",
+    PAGE,
+];
+
+pub(super) const MUTANTS: &[Mutant] = &[
+    mutant(["nothing drawn", "No polygon is drawn.", "Put a fragment on every covered sample.", PAGE], |rules| {
+        (rules.fill, rules.lines) = (Fill::Nothing, Lines::Nothing)
+    }),
+    mutant(["upside down", "The picture is upside down.", "y runs down: row 0 is the uppermost.", PAGE], |rules| {
+        rules.place = Place::UpsideDown
+    }),
+    mutant(
+        ["mirrored", "Left and right are exchanged.", "x runs to the right: column 0 is the leftmost.", PAGE],
+        |rules| rules.place = Place::Mirrored,
+    ),
+    mutant(
+        ["turned by half", "The picture is turned by 180 degrees.", "Row 0 is on top, column 0 on the left.", PAGE],
+        |rules| rules.place = Place::HalfTurn,
+    ),
+    mutant(
+        ["x and y exchanged", "Rows and columns are exchanged.", "A pixel stands at y * width + x.", PAGE],
+        |rules| rules.place = Place::Transposed,
+    ),
+    mutant(SHIFTED, |rules| rules.place = Place::OneRight),
+    mutant(SHIFTED, |rules| rules.place = Place::OneLeft),
+    mutant(SHIFTED, |rules| rules.place = Place::OneDown),
+    mutant(SHIFTED, |rules| rules.place = Place::OneUp),
+    mutant(BORDER, |rules| rules.border = Border::LastColumn),
+    mutant(BORDER, |rules| rules.border = Border::LastRow),
+    mutant(BORDER, |rules| rules.border = Border::LastBoth),
+    mutant(BORDER, |rules| rules.border = Border::FirstColumn),
+    mutant(BORDER, |rules| rules.border = Border::FirstRow),
+    mutant(
+        [
+            "square pictures only",
+            "Width and height are taken for equal: what lies beyond the smaller of them is not drawn.",
+            "Columns go to width - 1, rows to height - 1.",
+            PAGE,
+        ],
+        |rules| rules.border = Border::BeyondSquare,
+    ),
+    mutant(
+        [
+            "background ignored",
+            "Samples without a polygon are black.",
+            "Samples without a polygon show the sheet's background.",
+            PAGE,
+        ],
+        |rules| rules.background = Some(0.0),
+    ),
+    mutant(
+        [
+            "white background",
+            "Samples without a polygon are white.",
+            "Samples without a polygon show the sheet's background.",
+            PAGE,
+        ],
+        |rules| rules.background = Some(1.0),
+    ),
+    mutant(SAMPLES, |rules| rules.pixel = PixelFrom::FirstSample),
+    mutant(SAMPLES, |rules| rules.pixel = PixelFrom::MiddleSample),
+    mutant(
+        ["brightest sample", "A pixel shows its brightest sample.", "A pixel is the mean of its A x A samples.", PAGE],
+        |rules| rules.pixel = PixelFrom::Most,
+    ),
+    mutant(
+        [
+            "levels averaged",
+            "Samples are cut to levels before they are averaged.",
+            "Average light, and turn the mean into a level once.",
+            PAGE,
+        ],
+        |rules| rules.pixel = PixelFrom::MeanOfLevels,
+    ),
+    mutant(
+        [
+            "line ends made whole",
+            "Line ends are cut to whole samples before the line is stepped.",
+            "A line shows the samples whose diamond |dx| + |dy| < 1/2 it leaves; ends lie between samples.",
+            WIRE,
+        ],
+        |rules| rules.lines = Lines::Truncated,
+    ),
+    mutant(
+        [
+            "steep lines with gaps",
+            "Lines are stepped along x only, so steep ones have gaps.",
+            "Step along the longer direction.",
+            WIRE,
+        ],
+        |rules| rules.lines = Lines::ColumnsOnly,
+    ),
+    mutant(
+        [
+            "last sample of lines drawn",
+            "A line shows the sample it ends in, which belongs to the next line.",
+            "A line shows the samples whose diamond it leaves, not the one it ends in.",
+            WIRE,
+        ],
+        |rules| rules.lines = Lines::WithLastSample,
+    ),
+    mutant(
+        ["outline not closed", "The edge from the last corner to the first is missing.", "An outline is closed.", WIRE],
+        |rules| rules.lines = Lines::Open,
+    ),
+];

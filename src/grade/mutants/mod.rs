@@ -1,0 +1,51 @@
+//! Mutants: the contract with one mistake, each with words for it.
+//!
+//! A mutant changes one of the [`Rules`]; what it draws is what a rasterizer with that mistake would. A picture that one of
+//! them explains has a cause with a name. Several mutants may be one mistake made in several ways (corners cut off or rounded up):
+//! they share its name, and are no rivals of each other.
+//!
+//! Why mutants of the oracle and not of a rasterizer: one rule, one change, no side effect of how a loop happens to be written.
+
+mod color;
+mod coverage;
+mod depth;
+mod drawing;
+
+use super::rules::Rules;
+
+/// A mistake that students make.
+#[derive(Clone, Copy)]
+pub struct Mutant {
+    /// The mistake's name, a few words; ways to make one mistake share it.
+    pub name: &'static str,
+    /// The cause, in one sentence.
+    pub cause: &'static str,
+    /// The right rule, in one sentence.
+    pub rule: &'static str,
+    /// Where to read.
+    pub read: &'static str,
+    /// The change.
+    pub change: fn(&mut Rules),
+}
+
+/// All of them.
+#[must_use]
+pub fn all() -> Vec<Mutant> {
+    [coverage::MUTANTS, depth::MUTANTS, color::MUTANTS, drawing::MUTANTS].concat()
+}
+
+impl Mutant {
+    /// `rules` with this mistake in them as well.
+    #[must_use]
+    pub fn applied_to(&self, rules: &Rules) -> Rules {
+        let mut changed = rules.clone();
+        (self.change)(&mut changed);
+        changed
+    }
+}
+
+/// Name, cause, rule and page, for the lists of this folder.
+const fn mutant(words: [&'static str; 4], change: fn(&mut Rules)) -> Mutant {
+    let [name, cause, rule, read] = words;
+    Mutant { name, cause, rule, read, change }
+}

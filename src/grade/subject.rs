@@ -1,0 +1,80 @@
+//! Subject: whatever draws and is graded, by whichever door it comes.
+//!
+//! DrawList -SUBJECT-> Picture, or the reason why there is none
+//!
+//! Why 8-bit pictures and not light: programs in other languages and pictures made elsewhere have nothing else, and the same
+//! algorithm must get the same verdict through every door. Probes are encoded linearly, so that a plain round(255 c) is right.
+//!
+//! A rasterizer in this process cannot be stopped: Rust has no way to end a thread. A panic is caught and becomes a finding; an
+//! endless loop ends with the patience of whoever waits, and keeps the results written so far. Doors with a process of their own
+//! have limits on time and memory.
+
+use crate::color::Encoding;
+use crate::image::Picture;
+use crate::plan::Accepts;
+use crate::raster::{PutCounts, Rasterizer};
+use crate::render::{Canvas, draw};
+use crate::screen::DrawList;
+use crate::screen::file::Sheet;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// Why there is no picture.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Failure {
+    /// What happened, in one sentence.
+    pub message: String,
+    /// What to do about it.
+    pub hint: String,
+}
+
+/// A picture, and what is known of how it came about.
+#[derive(Clone, Debug)]
+pub struct Answer {
+    /// The picture, encoded linearly.
+    pub picture: Picture,
+    /// What was put; only a rasterizer in this process can be watched.
+    pub puts: Option<PutCounts>,
+}
+
+/// Something that draws lists.
+pub trait Subject {
+    /// Draws `list` as `sheet` says.
+    ///
+    /// # Errors
+    /// [`Failure`] when there is no picture, or one that cannot be compared pixel by pixel.
+    fn draw(&self, list: &DrawList, sheet: &Sheet) -> Result<Answer, Failure>;
+
+    /// The polygons it takes.
+    fn accepts(&self) -> Accepts {
+        Accepts::AnyPolygon
+    }
+
+    /// Whether it can be asked for new pictures; a folder of pictures cannot, so its witnesses are not made smaller.
+    fn can_draw_anything(&self) -> bool {
+        true
+    }
+}
+
+/// A rasterizer in this process.
+pub struct InProcess<'a>(pub &'a dyn Rasterizer);
+
+impl Subject for InProcess<'_> {
+    fn draw(&self, list: &DrawList, sheet: &Sheet) -> Result<Answer, Failure> {
+        let canvas = Canvas { threads: 1, ..Canvas::of_sheet(sheet) };
+        let drawn = catch_unwind(AssertUnwindSafe(|| draw(list, Some(self.0), &canvas)));
+        let (image, puts) = drawn.map_err(|panic| Failure {
+            message: format!("the rasterizer panicked: {}", panic_text(panic.as_ref())),
+            hint: "Run the smallest case alone with `farop raster`, and read the line the panic names.".to_string(),
+        })?;
+        Ok(Answer { picture: image.encode(Encoding::Linear), puts: Some(puts) })
+    }
+
+    fn accepts(&self) -> Accepts {
+        self.0.accepts()
+    }
+}
+
+fn panic_text(panic: &(dyn std::any::Any + Send)) -> String {
+    let text = panic.downcast_ref::<&str>().map(ToString::to_string);
+    text.or_else(|| panic.downcast_ref::<String>().cloned()).unwrap_or_else(|| "without words".to_string())
+}

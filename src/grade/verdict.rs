@@ -1,0 +1,244 @@
+//! Verdict: draw the cases of a lab, hold every pixel against the contract, and say what is wrong.
+//!
+//! Lab, Subject -SHOOT-> pictures -JUDGE-> wrong pixels -[`super::diagnose`]-> causes -> points
+//!
+//! Points: an aspect gives its points by the share of its cases that are right. What an earlier aspect's mistake explains
+//! costs nothing more: it *follows from* that. Pictures come first and causes after, so whoever stops the grader keeps what was
+//! earned: [`grade`] hands the verdict so far to its caller after every picture.
+
+use super::case::Case;
+use super::diagnose::{self, Fault};
+use super::labs::{Aspect, Lab, Watch};
+use super::paint::{Painted, paint};
+use super::rules::Rules;
+use super::subject::{Answer, Failure, Subject};
+use super::watch;
+use super::witness::Witness;
+use crate::image::Picture;
+use std::time::Instant;
+
+/// One case, drawn and judged.
+#[derive(Clone, Debug)]
+pub struct Shot {
+    /// What was to be drawn.
+    pub case: Case,
+    /// The picture; or why there is none.
+    pub answer: Result<Answer, Failure>,
+    /// Pixels that are wrong by the contract, in rows from the top.
+    pub wrong: Vec<usize>,
+    /// Pixels judged.
+    pub judged: usize,
+    /// What else is wrong.
+    pub complaint: Option<String>,
+}
+
+impl Shot {
+    /// Whether nothing is wrong.
+    #[must_use]
+    pub fn is_right(&self) -> bool {
+        self.answer.is_ok() && self.wrong.is_empty() && self.complaint.is_none()
+    }
+
+    /// The picture, if there is one.
+    #[must_use]
+    pub fn picture(&self) -> Option<&Picture> {
+        self.answer.as_ref().ok().map(|answer| &answer.picture)
+    }
+}
+
+/// Why an aspect is found wanting.
+#[derive(Clone, Debug)]
+pub enum Cause {
+    /// A mistake with a name: its number among [`Verdict::faults`].
+    Named(usize),
+    /// An earlier aspect's mistake explains it.
+    FollowsFrom(usize),
+    /// No mistake explains 95 % of the wrong pixels better than all others.
+    Unexplained {
+        /// Name of the mistake that explains most.
+        closest: &'static str,
+        /// Of the wrong pixels, those it explains.
+        explained: usize,
+        /// Name of the next.
+        next: &'static str,
+        /// What that explains.
+        next_explained: usize,
+    },
+    /// Something that is no matter of pixels, in words.
+    Other(String),
+}
+
+/// What was found about one aspect.
+#[derive(Clone, Debug)]
+pub struct AspectVerdict {
+    /// Its name.
+    pub name: &'static str,
+    /// What it asks.
+    pub asks: &'static str,
+    /// The most points.
+    pub most: f64,
+    /// Points earned.
+    pub earned: f64,
+    /// Its cases as far as they are drawn.
+    pub shots: Vec<Shot>,
+    /// Why it is wanting; `None` when it is not.
+    pub cause: Option<Cause>,
+    /// A small failing case.
+    pub witness: Option<Witness>,
+}
+
+impl AspectVerdict {
+    /// Wrong pixels of all its cases.
+    #[must_use]
+    pub fn wrong(&self) -> usize {
+        self.shots.iter().map(|shot| shot.wrong.len()).sum()
+    }
+
+    /// Pixels judged.
+    #[must_use]
+    pub fn judged(&self) -> usize {
+        self.shots.iter().map(|shot| shot.judged).sum()
+    }
+
+    /// Whether every case is right.
+    #[must_use]
+    pub fn is_right(&self) -> bool {
+        self.shots.iter().all(Shot::is_right) && !matches!(self.cause, Some(Cause::Other(_)))
+    }
+
+    fn points_by_cases(&self) -> f64 {
+        let right = self.shots.iter().filter(|shot| shot.is_right()).count();
+        if self.shots.is_empty() {
+            return if self.is_right() { self.most } else { 0.0 };
+        }
+        self.most * right as f64 / self.shots.len() as f64
+    }
+}
+
+/// A whole grade, or as much of it as there is.
+#[derive(Clone, Debug, Default)]
+pub struct Verdict {
+    /// The lab's name.
+    pub lab: &'static str,
+    /// Who was graded.
+    pub subject: String,
+    /// In the lab's order.
+    pub aspects: Vec<AspectVerdict>,
+    /// Mistakes with a name.
+    pub faults: Vec<Fault>,
+    /// What is worth knowing and costs no points.
+    pub notes: Vec<String>,
+    /// All of it is there.
+    pub is_whole: bool,
+    /// Seconds so far.
+    pub seconds: f64,
+}
+
+impl Verdict {
+    /// Points earned.
+    #[must_use]
+    pub fn earned(&self) -> f64 {
+        self.aspects.iter().map(|aspect| aspect.earned).sum()
+    }
+
+    /// The most points.
+    #[must_use]
+    pub fn most(&self) -> f64 {
+        self.aspects.iter().map(|aspect| aspect.most).sum()
+    }
+
+    /// Nothing is found wanting but what is accepted.
+    #[must_use]
+    pub fn is_passed(&self) -> bool {
+        self.is_whole && self.earned() >= self.most()
+    }
+}
+
+/// What a grade is asked for with.
+pub struct Request<'a> {
+    /// What is graded.
+    pub lab: &'a Lab,
+    /// Its name, for reports.
+    pub name: String,
+    /// Picks the random cases.
+    pub seed: u64,
+    /// The most points of an aspect.
+    pub points: &'a dyn Fn(&Aspect) -> f64,
+}
+
+/// Grades `subject`; `progress` gets the verdict so far after every picture.
+pub fn grade(subject: &dyn Subject, request: &Request<'_>, progress: &mut dyn FnMut(&Verdict)) -> Verdict {
+    let start = Instant::now();
+    let blank = |aspect: &Aspect| AspectVerdict {
+        name: aspect.name,
+        asks: aspect.asks,
+        most: (request.points)(aspect),
+        earned: 0.0,
+        shots: Vec::new(),
+        cause: None,
+        witness: None,
+    };
+    let mut verdict = Verdict {
+        lab: request.lab.name,
+        subject: request.name.clone(),
+        aspects: request.lab.aspects.iter().map(blank).collect(),
+        ..Verdict::default()
+    };
+    for (index, aspect) in request.lab.aspects.iter().enumerate() {
+        for case in (aspect.cases)(request.seed) {
+            let shot = shoot(subject, case, aspect.watch);
+            verdict.aspects[index].shots.push(shot);
+            verdict.seconds = start.elapsed().as_secs_f64();
+            progress(&verdict);
+        }
+        if aspect.watch == Watch::Cost {
+            verdict.aspects[index].cause = watch::cost(subject).map(Cause::Other);
+        }
+        let now = &mut verdict.aspects[index];
+        now.earned = now.points_by_cases();
+        progress(&verdict);
+    }
+    diagnose::explain(subject, request.lab, &mut verdict);
+    verdict.is_whole = true;
+    verdict.seconds = start.elapsed().as_secs_f64();
+    progress(&verdict);
+    verdict
+}
+
+/// Draws one case and judges it by the contract.
+fn shoot(subject: &dyn Subject, case: Case, watch: Watch) -> Shot {
+    let right = paint(&case, &Rules::default());
+    let answer = checked(subject.draw(&case.list(subject.accepts()), &case.sheet()), &right);
+    let mut shot = Shot { case, answer, wrong: Vec::new(), judged: 0, complaint: None };
+    let Ok(answer) = &shot.answer else { return shot };
+    shot.wrong = wrong(&answer.picture, &right);
+    shot.judged = right.disputed.iter().filter(|&&disputed| !disputed).count();
+    shot.complaint = watch::complaint(subject, &shot, watch);
+    shot
+}
+
+/// A picture of another size cannot be judged pixel by pixel.
+pub(super) fn checked(answer: Result<Answer, Failure>, right: &Painted) -> Result<Answer, Failure> {
+    let answer = answer?;
+    let (width, height) = (answer.picture.width(), answer.picture.height());
+    if (width, height) == (right.width, right.height) {
+        return Ok(answer);
+    }
+    let exchanged = (height, width) == (right.width, right.height);
+    let hint =
+        if exchanged { "Width comes first, then height." } else { "The size is in the head of the screen file." };
+    Err(Failure {
+        message: format!(
+            "the picture is {width} x {height}, not {} x {}{}",
+            right.width,
+            right.height,
+            if exchanged { ": width and height are exchanged" } else { "" }
+        ),
+        hint: hint.to_string(),
+    })
+}
+
+/// The pixels of `picture` that `right` does not allow.
+pub(super) fn wrong(picture: &Picture, right: &Painted) -> Vec<usize> {
+    picture.colors().enumerate().filter(|&(index, level)| !right.allows(index, level)).map(|(index, _)| index).collect()
+}

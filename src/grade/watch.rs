@@ -1,0 +1,86 @@
+//! Watch: what is asked besides the picture: no state, every sample once, no look at the whole screen.
+
+use super::case::{Case, Face};
+use super::labs::Watch;
+use super::paint::paint;
+use super::rules::Rules;
+use super::subject::Subject;
+use super::verdict::{Shot, wrong};
+use std::time::Instant;
+
+/// What is wrong with a case besides its pixels.
+pub(super) fn complaint(subject: &dyn Subject, shot: &Shot, watch: Watch) -> Option<String> {
+    let puts = shot.answer.as_ref().ok()?.puts.as_ref();
+    let stray = puts.map_or(0, |puts| puts.stray_writes);
+    if stray > 0 {
+        return Some(format!("{stray} fragments were put outside of the picture"));
+    }
+    match watch {
+        Watch::State => kept_state(subject, shot),
+        Watch::PutOnce => {
+            let overdraw = puts.map_or(0, |puts| puts.overdraw);
+            (overdraw > 0)
+                .then(|| format!("{overdraw} fragments were put where one already was: that is a z-buffer's way"))
+        }
+        Watch::Picture | Watch::Cost => None,
+    }
+}
+
+/// The same list again, and in reverse order: the picture must not know.
+fn kept_state(subject: &dyn Subject, shot: &Shot) -> Option<String> {
+    if !subject.can_draw_anything() {
+        return None;
+    }
+    let first = shot.picture()?;
+    let draw = |case: &Case| subject.draw(&case.list(subject.accepts()), &case.sheet()).ok();
+    if draw(&shot.case).is_some_and(|again| again.picture != *first) {
+        return Some("drawn twice, the same list gave two pictures: something is kept between calls".to_string());
+    }
+    if !shot.wrong.is_empty() {
+        return None;
+    }
+    let mut turned = shot.case.clone();
+    turned.faces.reverse();
+    let answer = draw(&turned)?;
+    let count = wrong(&answer.picture, &paint(&turned, &Rules::default())).len();
+    (count > 0).then(|| format!("with the list reversed, {count} samples are wrong: the picture depends on the order"))
+}
+
+/// Small polygons on a picture, and how much longer one may take on a large picture before it is said.
+const POLYGONS: usize = 150;
+const RATIO: f64 = 12.0;
+/// Side of the larger picture, and seconds for a small polygon below which nothing is said.
+const SIDE: u32 = 256;
+const NOTICEABLE: f64 = 40e-6;
+/// Measurements that must all be slow: what other programs do to the time once, they seldom do again.
+const MEASUREMENTS: usize = 4;
+
+/// Whether a small polygon costs as much as the picture is large: time for each on 32 x 32 and on 256 x 256.
+pub(super) fn cost(subject: &dyn Subject) -> Option<String> {
+    if !subject.can_draw_anything() {
+        return None;
+    }
+    let time = |side: u32, count: usize| {
+        let face = Face::flat(&[(1.25, 1.25), (3.75, 1.5), (1.5, 3.75)], 0.5, [0.5; 3]);
+        let case = Case::new("cost", (side, side), vec![face; count]);
+        let (list, sheet) = (case.list(subject.accepts()), case.sheet());
+        let start = Instant::now();
+        let _ = subject.draw(&list, &sheet);
+        start.elapsed()
+    };
+    let each = |side| time(side, POLYGONS).saturating_sub(time(side, 1)).as_secs_f64() / (POLYGONS - 1) as f64;
+    let mut fastest = (f64::INFINITY, f64::INFINITY);
+    for _ in 0..MEASUREMENTS {
+        let (small, large) = (each(32), each(SIDE));
+        if large <= RATIO * small || large <= NOTICEABLE {
+            return None;
+        }
+        fastest = (fastest.0.min(small), fastest.1.min(large));
+    }
+    Some(format!(
+        "a polygon of three samples takes {:.0} microseconds on a picture of {SIDE} x {SIDE} and {:.1} on one of 32 x 32: \
+         every sample of the picture is asked; look only at the polygon's bounds",
+        fastest.1 * 1e6,
+        fastest.0 * 1e6
+    ))
+}
