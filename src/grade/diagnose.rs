@@ -54,8 +54,13 @@ const MOST_FAULTS: usize = 5;
 
 /// Fills in causes, witnesses and points.
 pub(super) fn explain(subject: &dyn Subject, lab: &Lab, verdict: &mut Verdict) {
-    let mut search =
-        Search { mutants: mutants::all(), rules: Rules::default(), faults: Vec::new(), given_up: Vec::new() };
+    let mut search = Search {
+        mutants: mutants::all(),
+        rules: Rules::default(),
+        faults: Vec::new(),
+        given_up: Vec::new(),
+        tables: None,
+    };
     while search.faults.len() < MOST_FAULTS && search.step(&verdict.aspects) {}
     for fault in &mut search.faults {
         fault.is_accepted = fault.name == OTHER_TIES && !lab.fixes_ties;
@@ -125,6 +130,8 @@ struct Search {
     rules: Rules,
     faults: Vec<Fault>,
     given_up: Vec<GivenUp>,
+    /// Mismatches left in every aspect under the rules, and under each mutant, as long as the rules stay.
+    tables: Option<(Vec<usize>, Vec<Vec<usize>>)>,
 }
 
 impl Search {
@@ -133,10 +140,9 @@ impl Search {
         if self.faults.iter().any(|fault| UNFORGIVEN.contains(&fault.name)) {
             return false;
         }
-        let left: Vec<usize> = aspects.iter().map(|aspect| mismatches(&aspect.shots, &self.rules)).collect();
+        let (left, tables) = self.tables.take().unwrap_or_else(|| self.count(aspects));
         let open = |index: usize| !self.given_up.iter().any(|given_up| given_up.aspect == index);
         let Some(first) = (0..aspects.len()).find(|&index| left[index] > 0 && open(index)) else { return false };
-        let tables: Vec<Vec<usize>> = self.mutants.iter().map(|mutant| self.table(mutant, aspects, &left)).collect();
 
         // One mistake for everything.
         let total = left.iter().sum();
@@ -162,6 +168,8 @@ impl Search {
         let best = |score: &Score| (self.mutants[score.mutant].name, score.here);
         let best = [best(&scores[0]), next.map_or(("none", left[first]), best)];
         self.given_up.push(GivenUp { aspect: first, best, total: left[first] });
+        // Nothing was named, so nothing has changed.
+        self.tables = Some((left, tables));
         true
     }
 
@@ -223,6 +231,12 @@ impl Search {
             return left.to_vec();
         }
         aspects.iter().map(|aspect| mismatches(&aspect.shots, &rules)).collect()
+    }
+
+    fn count(&self, aspects: &[AspectVerdict]) -> (Vec<usize>, Vec<Vec<usize>>) {
+        let left: Vec<usize> = aspects.iter().map(|aspect| mismatches(&aspect.shots, &self.rules)).collect();
+        let tables = self.mutants.iter().map(|mutant| self.table(mutant, aspects, &left)).collect();
+        (left, tables)
     }
 
     /// Whether a mutant was named before, or takes back what was: then it is no second mistake.
