@@ -1,10 +1,10 @@
 //! `farop grade`: what is wrong with a rasterizer, why, and the smallest case that shows it.
 
 use super::error::{self, CliError, notice};
-use super::scenes::find_rasterizer;
+use super::scenes::{Chosen, find_rasterizer};
 use crate::grade::folder::Pictures;
 use crate::grade::rubric::Rubric;
-use crate::grade::{self, InProcess, Lab, Request, Subject, Verdict, write};
+use crate::grade::{self, InProcess, Lab, Outside, Request, Subject, Verdict, write};
 use crate::image::save;
 use crate::raster::Registry;
 use clap::Args;
@@ -78,7 +78,10 @@ impl GradeCommand {
                 let name = name.as_deref().unwrap_or("zbuffer");
                 let registered = find_rasterizer(registry, name)?
                     .ok_or_else(|| CliError::failed("`none` draws nothing: there is nothing to grade"))?;
-                self.judge(&InProcess(&*registered.rasterizer), name, (lab, rubric))?
+                match registered {
+                    Chosen::Registered(entry) => self.judge(&InProcess(&*entry.rasterizer), name, (lab, rubric))?,
+                    Chosen::Outside(external) => self.judge(&Outside(external), name, (lab, rubric))?,
+                }
             }
         };
         self.write_witness(&verdict)?;

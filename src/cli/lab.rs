@@ -2,7 +2,7 @@
 
 use super::error::{self, CliError};
 use super::options::PictureOptions;
-use super::scenes::{SceneOptions, find_rasterizer};
+use super::scenes::{Chosen, SceneOptions, find_rasterizer};
 use crate::image::{encode_for, save};
 use crate::lab::chart::Chart;
 use crate::lab::configurations::{Configuration, Spread, configurations};
@@ -89,7 +89,10 @@ impl LabCommand {
             return Ok(registry.iter().filter(|entry| entry.name != "wire").collect());
         }
         let known = |name: &String| match find_rasterizer(registry, name)? {
-            Some(entry) if entry.name != "wire" => Ok(entry),
+            Some(Chosen::Registered(entry)) if entry.name != "wire" => Ok(entry),
+            Some(Chosen::Outside(_)) => Err(CliError::failed(format!(
+                "the lab takes rasterizers of this program; `{name}` runs outside of it, where its set-up would be timed, too"
+            ))),
             _ => Err(CliError::failed(format!("the lab compares rasterizers that draw areas, and `{name}` does not"))),
         };
         self.rasterizer.iter().map(known).collect()

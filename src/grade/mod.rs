@@ -33,7 +33,7 @@ pub mod write;
 pub use diagnose::Fault;
 pub use labs::{LABS, Lab};
 pub use probes::{Flat, Probe, probes};
-pub use subject::{InProcess, Subject};
+pub use subject::{InProcess, Outside, Subject};
 pub use verdict::{Request, Verdict, grade};
 
 use crate::color::Rgb;

@@ -12,6 +12,7 @@
 use crate::color::Encoding;
 use crate::image::Picture;
 use crate::plan::Accepts;
+use crate::raster::external::External;
 use crate::raster::{PutCounts, Rasterizer};
 use crate::render::{Canvas, draw};
 use crate::screen::DrawList;
@@ -77,4 +78,17 @@ impl Subject for InProcess<'_> {
 fn panic_text(panic: &(dyn std::any::Any + Send)) -> String {
     let text = panic.downcast_ref::<&str>().map(ToString::to_string);
     text.or_else(|| panic.downcast_ref::<String>().cloned()).unwrap_or_else(|| "without words".to_string())
+}
+
+/// A rasterizer outside this process: a program or a library, in its jail.
+pub struct Outside(pub External);
+
+impl Subject for Outside {
+    fn draw(&self, list: &DrawList, sheet: &Sheet) -> Result<Answer, Failure> {
+        let answer = self.0.picture(list, sheet).map_err(|failure| Failure {
+            message: failure.to_string(),
+            hint: format!("Run the smallest case alone: farop raster CASE.scr -r '{}' -o case.png", self.0.name()),
+        })?;
+        Ok(Answer { picture: answer.image.average(sheet.samples as usize).encode(Encoding::Linear), puts: None })
+    }
 }
