@@ -1,8 +1,8 @@
 //! Are promises kept? `cargo run --release --example promises [LEVELS]...` (24 unless said otherwise)
 //!
 //! Built-in scenes at sizes and from places that were not looked at while the search was made, and all of `scenes/`. Each
-//! promise is judged anew at every pixel of the picture, by rays on grids: 4 x 4, and 12 x 12 where those differ. The search
-//! has other rays, and looks at half of the pixels of the larger pictures.
+//! promise is judged anew at every pixel of the picture, by rays: a grid of 5 x 5, and 256 of a Hammersley set where those
+//! differ. The search has other rays, and looks at half of the pixels of the larger pictures.
 
 use farop::color::{Encoding, Rgb};
 use farop::lab::errors::pixel_errors;
@@ -17,8 +17,12 @@ use farop::scene::Scene;
 use farop::spd::{self, Curves};
 use std::path::Path;
 
-/// Rays a pixel in each direction: where nothing happens, and where something does.
-const GRIDS: [u32; 2] = [4, 12];
+/// Steps of the grid of rays that finds out whether anything happens in a pixel: from border to border, because a level edge
+/// close to the border is missed by a whole row of rays in the middles.
+const GRID: u32 = 4;
+/// Rays a pixel, where something does. Not a grid: of a level edge that takes a whole row of rays or leaves it, a grid of
+/// 12 x 12 knows the area to 1/24 only, which is six levels of a bright edge.
+const RAYS: u32 = 256;
 /// Name, size, how far the eye has moved towards what it looks at.
 const BUILT_IN: [(&str, u32, f64); 13] = [
     ("balls", 3, 0.15),
@@ -61,18 +65,37 @@ fn scenes() -> Vec<(String, Scene)> {
     all
 }
 
-/// The mean light of a pixel over a grid of rays, and whether all of them meet the same and are a level apart at most.
-fn mean(tracer: &Tracer<'_>, encoding: Encoding, (x, y): (u32, u32), grid: u32) -> (Rgb, bool) {
-    let at = |pixel: u32, step: u32| f64::from(pixel) + (f64::from(step) + 0.5) / f64::from(grid);
-    let rays = (0..grid * grid).map(|ray| tracer.light(at(x, ray % grid), at(y, ray / grid)));
-    let (mut sum, mut first, mut even) = (Rgb::BLACK, None, true);
-    for (light, hit) in rays {
+/// The mean light over `rays` of a pixel, and whether all of them meet the same and are a level apart at most.
+fn mean(
+    tracer: &Tracer<'_>,
+    encoding: Encoding,
+    (x, y): (u32, u32),
+    rays: impl Iterator<Item = (f64, f64)>,
+) -> (Rgb, bool) {
+    let (mut sum, mut count, mut first, mut even) = (Rgb::BLACK, 0.0, None, true);
+    for (right, down) in rays {
+        let (light, hit) = tracer.light(f64::from(x) + right, f64::from(y) + down);
         let seen = (levels(encoding, light), hit.map(|hit| (hit.instance, hit.surface, hit.part)));
         let (level, met) = *first.get_or_insert(seen);
         even &= met == seen.1 && (0..3).all(|axis| (level[axis] - seen.0[axis]).abs() <= 0.5);
         sum += light;
+        count += 1.0;
     }
-    (sum * (1.0 / f64::from(grid * grid)), even)
+    (sum * (1.0 / count), even)
+}
+
+/// The crossings of a grid, those on the pixel's border, too.
+fn grid() -> impl Iterator<Item = (f64, f64)> {
+    let at = |step: u32| f64::from(step) / f64::from(GRID);
+    (0..(GRID + 1) * (GRID + 1)).map(move |ray| (at(ray % (GRID + 1)), at(ray / (GRID + 1))))
+}
+
+/// Hammersley's points: i/n beside the binary digits of i in reverse.
+fn hammersley() -> impl Iterator<Item = (f64, f64)> {
+    let half = 0.5 / f64::from(RAYS);
+    (0..RAYS).map(move |ray| {
+        (f64::from(ray) / f64::from(RAYS) + half, f64::from(ray.reverse_bits()) / 4_294_967_296.0 + half)
+    })
 }
 
 /// The mean light of every pixel.
@@ -82,9 +105,8 @@ fn truth(scene: &Scene, choices: &Choices) -> Truth {
     let (width, height) = tracer.size();
     let row = |y: u32| -> Vec<Rgb> {
         let pixel = |x: u32| {
-            let [few, many] = GRIDS;
-            let (light, even) = mean(&tracer, choices.encoding, (x, y), few);
-            if even { light } else { mean(&tracer, choices.encoding, (x, y), many).0 }
+            let (light, even) = mean(&tracer, choices.encoding, (x, y), grid());
+            if even { light } else { mean(&tracer, choices.encoding, (x, y), hammersley()).0 }
         };
         (0..width).map(pixel).collect()
     };

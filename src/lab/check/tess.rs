@@ -3,7 +3,7 @@
 //! random sphere, ellipsoid or cone -> polygons as the pipeline makes them; [`crate::oracle::ray`] -> the true outline -> largest distance
 //!
 //! Fewer would have done where n / 1.15 segments hold the tolerance, too, however the shape is turned: it is turned about until an outline
-//! errs by more. Shapes that need fewer than eight segments step too coarsely for such a ratio and are only reported.
+//! errs by more. The ends of a cone are held to it, too, where the outline hides them: they are seen from inside. Shapes that need fewer than eight segments step too coarsely for such a ratio and are only reported.
 //! Patches and tori have no equation in the oracle: for them the number of segments comes from bounds, proven in `model::segments`.
 //!
 //! Space: pixels. Source: the distance of two outlines is Hausdorff's; see [`crate::oracle::ray::silhouette`].
@@ -112,8 +112,18 @@ impl Posed {
                 Shape::Sphere { radius, .. } => self.facet_on_outline(segments, radius, random),
                 _ => about_z(random.unit() * 2.0 * PI),
             };
-            self.deviation(tolerance, about, Some(segments)).is_none_or(|found| found.0.largest <= tolerance * MARGIN)
+            let keeps = |found: (Deviation, u64)| found.0.largest <= tolerance * MARGIN;
+            let kept = |posed: &Posed| posed.deviation(tolerance, about, Some(segments)).is_none_or(keeps);
+            kept(self) && self.ends().iter().all(kept)
         })
+    }
+
+    /// The discs at the ends of a cone.
+    fn ends(&self) -> Vec<Posed> {
+        let Shape::Cone { base, base_radius, apex, apex_radius } = self.shape else { return Vec::new() };
+        let ends = [(base, base_radius), (apex, apex_radius)].into_iter().filter(|&(_, radius)| radius > 0.0);
+        let disc = |(center, radius)| Shape::Cone { base: center, base_radius: radius, apex: center, apex_radius: 0.0 };
+        ends.map(|end| Posed { shape: disc(end), turn: self.turn, place: self.place }).collect()
     }
 
     /// A turn of a sphere that puts the middle of a facet on its outline, where that is farthest from the middle of the picture or anywhere:
