@@ -17,6 +17,7 @@ mod cts;
 mod depth;
 mod extremes;
 mod fuzz;
+mod fuzz_texts;
 mod hash;
 mod metamorphic;
 mod predicates;
