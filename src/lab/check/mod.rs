@@ -22,7 +22,7 @@ mod hash;
 mod metamorphic;
 mod predicates;
 mod random;
-mod random_scenes;
+pub mod random_scenes;
 mod report;
 mod rings;
 mod scenes;
