@@ -11,11 +11,12 @@ use super::scenes::{AREA_RASTERIZERS, draw};
 use super::tally::{Tally, sum};
 use super::{Effort, Random, Report};
 use crate::color::Rgb;
+use crate::diagnostic::Diagnostics;
 use crate::geometry::clip::{ClipVertex, ClipVolume, Clipped, Clipper};
 use crate::geometry::split::{SplitScratch, split};
 use crate::image::Image;
 use crate::math::Vec3;
-use crate::parse::{Format, ParseOptions, Parsed, read_bezier, read_nff, read_sipp};
+use crate::parse::{BezierNet, Format, ParseOptions, Parsed, read_bezier, read_nff, read_sipp};
 use crate::plan::{Choices, Culling, DepthFormat, Shading, Transparency};
 use crate::render::{self, Canvas, render};
 use crate::scene::Primitive;
@@ -23,7 +24,7 @@ use crate::screen::file::{ReadOptions, read};
 use crate::screen::{DrawList, Grid, Plane};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// One kind of execution; returns how many colors or coordinates are not numbers.
+/// One kind of execution; returns how many colors or coordinates are not numbers, and how many indices point nowhere.
 type Target = (&'static str, fn(&mut Random, &mut Tally) -> u64);
 
 const TARGETS: [Target; 8] = [
@@ -51,7 +52,7 @@ pub(super) fn run(effort: &Effort, report: &mut Report) {
     report.some("of the polygons, cut to something", tally.of("cut to something"));
     report.some("of the scenes, with a picture", tally.of("pictures"));
     report.none("panics", tally.of("panics"));
-    report.none("colors and coordinates that are not numbers", tally.of("not numbers"));
+    report.none("colors and coordinates that are not numbers, indices that point nowhere", tally.of("not numbers"));
     tally.examples.iter().for_each(|example| report.miss(example));
 }
 
@@ -63,7 +64,7 @@ fn execute(number: u64, random: &mut Random, tally: &mut Tally) {
         Ok(0) => {}
         Ok(not_numbers) => {
             tally.add("not numbers", not_numbers);
-            tally.example(|| format!("execution {number}, {name}: {not_numbers} are not numbers"));
+            tally.example(|| format!("execution {number}, {name}: {not_numbers} are not numbers or point nowhere"));
         }
         Err(cause) => {
             tally.add("panics", 1);
@@ -86,14 +87,19 @@ fn scene_of(text: &[u8], format: Format) -> Option<Parsed> {
     };
     match read {
         Ok(parsed) => {
-            drop(parsed.notices.render(true));
+            put_into_words(&parsed.notices);
             Some(parsed)
         }
         Err(mistakes) => {
-            drop(mistakes.render(false));
+            put_into_words(&mistakes);
             None
         }
     }
+}
+
+/// In color, without, and on one line: all quote the text.
+fn put_into_words(said: &Diagnostics) {
+    drop((said.render(true), said.render(false), said.to_string()));
 }
 
 fn scene_text(random: &mut Random, tally: &mut Tally) -> u64 {
@@ -112,10 +118,19 @@ fn tree_text(random: &mut Random, tally: &mut Tally) -> u64 {
 
 fn curves_text(random: &mut Random, tally: &mut Tally) -> u64 {
     match read_bezier("fuzz", &mangled(CURVES, random)) {
-        Ok(_) => tally.add("legal curves", 1),
-        Err(mistakes) => drop(mistakes.render(false)),
+        Ok(BezierNet::Curves(net)) => {
+            tally.add("legal curves", 1);
+            net.curves.iter().flatten().filter(|&&index| index as usize >= net.vertices.len()).count() as u64
+        }
+        Ok(BezierNet::Patches(net)) => {
+            tally.add("legal curves", 1);
+            net.patches.iter().flatten().filter(|&&index| index as usize >= net.vertices.len()).count() as u64
+        }
+        Err(mistakes) => {
+            put_into_words(&mistakes);
+            0
+        }
     }
-    0
 }
 
 fn picture(random: &mut Random, tally: &mut Tally) -> u64 {
