@@ -7,16 +7,16 @@
 #[path = "../tests/support/mod.rs"]
 mod support;
 
+use farop::lab::check::random_scenes::{choices, hard};
 use farop::parse::{Format, ParseOptions, load};
 use farop::plan::{Choices, Culling, DepthFormat, Shading};
 use farop::raster::{Watkins, ZBuffer};
 use farop::render::{list, render};
 use farop::scene::Scene;
-use farop::spd::Curves;
+use farop::spd::{Curves, SMALL};
 use std::path::Path;
-use support::built_in::{SMALL, built_in};
+use support::built_in::built_in;
 use support::census::{Census, census};
-use support::hard::hard;
 
 /// Whether both draw the same bytes.
 fn agree(name: &str, scene: &Scene, choices: &Choices) -> bool {
@@ -44,7 +44,7 @@ struct Found {
 
 impl Found {
     fn add(&mut self, seed: u64) {
-        let (scene, choices) = hard(seed);
+        let (scene, choices) = (hard(seed), choices(seed));
         self.scenes += 1;
         self.wrong += u64::from(!agree(&format!("seed {seed}"), &scene, &choices));
         let rendered = render(&scene, &choices, None).expect("a usable view");

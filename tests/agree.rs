@@ -3,14 +3,14 @@
 
 mod support;
 
+use farop::lab::check::random_scenes::{choices, hard};
 use farop::plan::{Choices, Culling, DepthFormat, NeedsMode, Shading};
 use farop::raster::{Rasterizer, Watkins, ZBuffer};
 use farop::render::render;
 use farop::scene::Scene;
-use farop::spd::Curves;
-use support::built_in::{SMALL, built_in};
+use farop::spd::{Curves, SMALL};
+use support::built_in::built_in;
 use support::census::{Census, census};
-use support::hard::hard;
 use support::mixed::Mix;
 
 /// Draws with both, compares, and returns what Watkins counted.
@@ -83,7 +83,7 @@ fn watkins_draws_random_scenes_like_the_z_buffer() {
 fn watkins_draws_hard_scenes_like_the_z_buffer() {
     let (mut total, mut cut) = (Census::default(), 0);
     for seed in 1..=300 {
-        let (scene, choices) = hard(seed);
+        let (scene, choices) = (hard(seed), choices(seed));
         compare(&format!("seed {seed}"), &scene, &choices);
         let rendered = render(&scene, &choices, None).expect("a usable view");
         cut += rendered.counts.cut + rendered.counts.clipped;

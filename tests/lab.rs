@@ -5,9 +5,10 @@ mod command;
 
 use command::{Desk, project_scene};
 use farop::image::{Picture, flip::flip, ssim::ssim};
+use farop::lab::check::Random;
 use farop::lab::configurations::{Configuration, Spread, configurations};
 use farop::lab::measure::Effort;
-use farop::lab::pareto::{Point, Standing, front, standings};
+use farop::lab::pareto::{Extent, Point, Standing, front, hypervolume, standings};
 use farop::lab::promise::{Goal, keep};
 use farop::lab::truth::{Source, Truth};
 use farop::lab::{Row, run};
@@ -49,6 +50,52 @@ fn the_front_by_hand() {
     assert_eq!(front(&points), [1, 0, 2]);
     // An error of 0 is beaten by nobody, and beats all that are slower.
     assert_eq!(standings(&[point(2.0, 0.0, 0.0), point(3.0, 0.0, 0.0), point(3.0, 0.0, 1.0)]), [f, d, d]);
+}
+
+#[test]
+fn the_hypervolume_is_what_counting_cells_finds() {
+    const CELLS: u32 = 256;
+    let mut random = Random::new(3);
+    for round in 0..20 {
+        let mut random_point = || {
+            let (time, error) = (random.between(0.0, 6.0).exp(), random.between(-4.0, 5.0).exp());
+            Point { time, spread: 0.0, error: if random.once_in(9) { 0.0 } else { error } }
+        };
+        let all: Vec<Point> = (0..12).map(|_| random_point()).collect();
+        let extent = Extent::of(&all).expect("times and errors differ");
+        let ((fast, right), (slow, wrong)) = (extent.ideal, extent.reference);
+        // Logarithmic like the chart; whoever has no logarithm is at its lower end.
+        let at = |cell: u32, low: f64, high: f64| low * (high / low).powf((f64::from(cell) + 0.5) / f64::from(CELLS));
+        for points in [&all[..], &all[..4], &all[4..5], &[]] {
+            let dominated = |across: u32, up: u32| {
+                let (time, error) = (at(across, fast, slow), at(up, right, wrong));
+                points.iter().any(|point| point.time <= time && point.error <= error)
+            };
+            let cells: u32 =
+                (0..CELLS).flat_map(|x| (0..CELLS).map(move |y| (x, y))).map(|(x, y)| u32::from(dominated(x, y))).sum();
+            let counted = f64::from(cells) / f64::from(CELLS * CELLS);
+            let found = hypervolume(points, &extent);
+            assert!((found - counted).abs() < 4.0 / f64::from(CELLS), "round {round}: {found}, counted {counted}");
+        }
+    }
+}
+
+#[test]
+fn the_hypervolume_by_hand() {
+    let point = |time: f64, error: f64| Point { time, spread: 0.0, error };
+    let points = [point(1.0, 100.0), point(10.0, 10.0), point(100.0, 1.0), point(20.0, f64::INFINITY)];
+    let extent = Extent::of(&points).expect("times and errors differ");
+    assert_eq!(extent, Extent { ideal: (1.0, 1.0), reference: (100.0, 100.0) });
+    let close = |a: f64, b: f64| assert!((a - b).abs() < 1e-12, "{a} {b}");
+    // The middle one rules a quarter; the ends lie on the border.
+    close(hypervolume(&points, &extent), 0.25);
+    close(hypervolume(&[point(1.0, 10.0)], &extent), 0.5);
+    close(hypervolume(&[point(0.5, 0.5)], &extent), 1.0);
+    close(hypervolume(&points[3..], &extent), 0.0);
+    // 0 counts as a tenth of the least positive error; without a difference there is no box.
+    assert_eq!(Extent::of(&[point(1.0, 0.0), point(2.0, 5.0)]).expect("they differ").ideal, (1.0, 0.5));
+    assert_eq!(Extent::of(&[point(1.0, 3.0), point(2.0, 3.0)]), None);
+    assert_eq!(Extent::of(&[]), None);
 }
 
 #[test]
@@ -202,4 +249,78 @@ fn the_impossible_is_refused_with_the_best_there_is() {
     for wrong in ["--max-error 0", "--max-error 3pt", "--max-error 4 -s flat", "--max-error 4 -r wire"] {
         assert_eq!(desk.run(&format!("render {scene} --size 8 {wrong} -o b.png")).code, 2, "{wrong}");
     }
+}
+
+/// Programs and libraries are rows like any other; one that gives no picture is a row with its reason.
+#[cfg(target_os = "linux")]
+#[test]
+fn rasterizers_outside_take_part() {
+    const C: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/student_rasterizers/other_languages/c");
+    let desk = Desk::new();
+    let compiled = ["zb", "zb.so"].map(|name| desk.path(name).display().to_string());
+    let compile = |arguments: &[&str]| std::process::Command::new("cc").args(arguments).status();
+    let (main, functions) = (format!("{C}/zbuffer.c"), format!("{C}/zbuffer_lib.c"));
+    let flags = &["-O1", "-std=c11", "-ffp-contract=off"][..];
+    let has_compiler = match compile(&[flags, &["-o", &compiled[0], &main, &functions, "-lm"]].concat()) {
+        Ok(status) => status.success(),
+        Err(_) => false,
+    };
+    if has_compiler {
+        let built = compile(&[flags, &["-shared", "-fPIC", "-o", &compiled[1], &functions, "-lm"]].concat());
+        assert!(built.is_ok_and(|status| status.success()));
+    } else {
+        println!("notice: no C compiler, only programs that fail are tested");
+    }
+    let doors = if has_compiler { "-r exec:./zb -r lib:./zb.so" } else { "" };
+    let scene = project_scene("star.nff");
+    let arguments = format!(
+        "lab {scene} --size 24 --encoding linear --runs 1 -r zbuffer {doors} -r exec:./missing -r exec:/bin/false"
+    );
+    let made = desk.done(&format!("{arguments} --csv a.csv --json a.json --plot a.svg"));
+    let table = made.text();
+    assert!(table.lines().all(|line| line.chars().count() <= 125), "{table}");
+    let failed: Vec<&str> = table.lines().filter(|line| line.starts_with("! ")).collect();
+    assert_eq!(failed.len(), 2 + 1, "two rows and the legend: {table}");
+    assert!(failed[0].contains("-r exec:./missing") && failed[0].contains("`./missing` cannot be"), "{table}");
+
+    let json: serde_json::Value = serde_json::from_slice(&desk.read("a.json")).expect("JSON");
+    let rows = json["rows"].as_array().expect("rows");
+    let of = |name: &str| {
+        let row = rows.iter().find(|row| row["rasterizer"] == name && row["configuration"] != rows[0]["configuration"]);
+        row.unwrap_or_else(|| panic!("no row of {name}: {table}"))
+    };
+    for name in ["exec:./missing", "exec:/bin/false"] {
+        let row = of(name);
+        assert!(row["errors"].is_null() && row["times_ms"].is_null() && row["failure"].is_string(), "{row}");
+    }
+    for name in ["exec:./zb", "lib:./zb.so"].into_iter().filter(|_| has_compiler) {
+        let row = of(name);
+        // It draws the z-buffer's picture in levels of linear light, half a level off at most; who owns a sample it does not say.
+        for kind in ["worst_levels", "rms_levels"] {
+            let [own, base] = [&row["errors"], &rows[0]["errors"]].map(|errors| errors[kind].as_f64().expect("known"));
+            assert!((own - base).abs() < 0.51, "{name} {kind}: {own}, the z-buffer {base}");
+        }
+        assert!(row["errors"]["wrong_coverage_ppm"].is_null() && !rows[0]["errors"]["wrong_coverage_ppm"].is_null());
+        assert!(row["times_ms"]["median"].as_f64().is_some_and(|time| time > 0.0) && row["failure"].is_null());
+        assert!(json["hypervolumes"]["rms"]["of"][name].is_number(), "{json}");
+    }
+    let csv = String::from_utf8(desk.read("a.csv")).expect("text");
+    assert!(csv.lines().any(|line| line.contains("exec:./missing") && line.contains(",,,")), "{csv}");
+}
+
+/// A program that always fails is not run for every one of its configurations.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_hopeless_program_is_not_tried_for_ever() {
+    let desk = Desk::new();
+    let scene = project_scene("star.nff");
+    let table = desk.done(&format!("lab {scene} --size 8 --runs 1 -r exec:/bin/false -r zbuffer")).text().to_string();
+    let [tried, left] = [false, true].map(|left| {
+        table
+            .lines()
+            .filter(|line| line.starts_with("! ") && line.contains("not tried after 3 failures") == left)
+            .count()
+    });
+    assert_eq!(tried, 3 + 1, "three rows and the legend: {table}");
+    assert!(left > 10 && table.lines().any(|line| line.contains("-r zbuffer") && !line.starts_with('!')), "{table}");
 }

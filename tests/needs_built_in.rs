@@ -8,8 +8,8 @@ use farop::raster::{PerPolygon, Rasterizer, Wire, ZBuffer};
 use farop::render::{Canvas, draw, render};
 use farop::scene::Scene;
 use farop::screen::DrawList;
-use farop::spd::Curves;
-use support::built_in::{SMALL, built_in, geometry_of};
+use farop::spd::{Curves, SMALL};
+use support::built_in::{built_in, geometry_of};
 
 const SIZE: Option<(u32, u32)> = Some((96, 80));
 

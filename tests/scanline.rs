@@ -3,13 +3,13 @@
 mod support;
 
 use farop::color::{Encoding, Rgb};
+use farop::lab::check::random_scenes::{choices, hard};
 use farop::plan::{Choices, Culling, Shading, Transparency};
 use farop::raster::{Frame, Rasterizer, Scanline, ZBuffer};
 use farop::render::{list, render};
 use farop::screen::DrawList;
-use farop::spd::Curves;
-use support::built_in::{SMALL, built_in};
-use support::hard::hard;
+use farop::spd::{Curves, SMALL};
+use support::built_in::built_in;
 
 fn frame(list: &DrawList, rasterizer: &dyn Rasterizer) -> Frame {
     let mut frame = Frame::default();
@@ -33,7 +33,7 @@ fn samples(list: &DrawList, frame: &Frame) -> Vec<(Option<u32>, f64, [f64; 3])> 
 #[test]
 fn every_polygon_covers_what_it_covers_for_the_z_buffer() {
     for seed in 1..=120 {
-        let (scene, choices) = hard(seed);
+        let (scene, choices) = (hard(seed), choices(seed));
         let whole = list(&scene, &choices, None).expect("a usable view");
         for index in 0..whole.len() {
             let mut alone = whole.clone();

@@ -9,7 +9,7 @@ use crate::lab::configurations::{Configuration, Spread, configurations};
 use crate::lab::measure::Effort;
 use crate::lab::truth::{Source, Truth};
 use crate::lab::{self, Row, table};
-use crate::raster::{Rasterizer, Registered, Registry};
+use crate::raster::{Rasterizer, Registry};
 use crate::scene::Scene;
 use clap::Args;
 use std::cell::Cell;
@@ -20,7 +20,7 @@ use std::time::{Duration, Instant};
 /// What speed and accuracy cost each other: a table and a chart
 #[derive(Args)]
 #[command(
-    after_help = "Examples:\n  farop lab spd:teapot:6 --plot lab.svg\n  farop lab scene.nff --size 256 -r zbuffer -r mine --csv lab.csv"
+    after_help = "Examples:\n  farop lab spd:teapot:6 --plot lab.svg\n  farop lab scene.nff --size 256 -r zbuffer -r exec:./mine --csv lab.csv"
 )]
 pub(super) struct LabCommand {
     #[command(flatten)]
@@ -66,7 +66,7 @@ impl LabCommand {
         let rasterizers = self.rasterizers(registry)?;
         let spread = if self.all { Spread::All } else { Spread::Sensible };
         let borrowed: Vec<(&str, &dyn Rasterizer)> =
-            rasterizers.iter().map(|entry| (entry.name.as_str(), &*entry.rasterizer as &dyn Rasterizer)).collect();
+            rasterizers.iter().map(|chosen| (chosen.name(), chosen.rasterizer())).collect();
         let list = configurations(&loaded.scene, &base, &borrowed, spread)?;
         let find = |of: &Configuration| borrowed.iter().find(|entry| entry.0 == of.rasterizer).map(|entry| entry.1);
         let list: Vec<(Configuration, &dyn Rasterizer)> =
@@ -83,16 +83,13 @@ impl LabCommand {
         self.report(&loaded.scene, &truth, &rows, traced)
     }
 
-    /// Those that were asked for, or all that draw areas.
-    fn rasterizers<'a>(&self, registry: &'a Registry) -> Result<Vec<&'a Registered>, CliError> {
+    /// Those that were asked for, in this program or outside of it, or all of this program that draw areas.
+    fn rasterizers<'a>(&self, registry: &'a Registry) -> Result<Vec<Chosen<'a>>, CliError> {
         if self.rasterizer.is_empty() {
-            return Ok(registry.iter().filter(|entry| entry.name != "wire").collect());
+            return Ok(registry.iter().filter(|entry| entry.name != "wire").map(Chosen::Registered).collect());
         }
         let known = |name: &String| match find_rasterizer(registry, name)? {
-            Some(Chosen::Registered(entry)) if entry.name != "wire" => Ok(entry),
-            Some(Chosen::Outside(_)) => Err(CliError::failed(format!(
-                "the lab takes rasterizers of this program; `{name}` runs outside of it, where its set-up would be timed, too"
-            ))),
+            Some(chosen) if chosen.name() != "wire" => Ok(chosen),
             _ => Err(CliError::failed(format!("the lab compares rasterizers that draw areas, and `{name}` does not"))),
         };
         self.rasterizer.iter().map(known).collect()
@@ -104,14 +101,14 @@ impl LabCommand {
             Source::Rays => format!("rays, {} s", traced.as_millis() as f64 / 1e3),
             Source::OwnFinest(why) => format!("our own finest picture, because {why}; no rays"),
         };
-        let runs = rows.first().map_or(0, |row| row.timing.runs);
+        let runs = rows.iter().map(|row| row.timing.runs).max().unwrap_or(0);
         let (width, height) = truth.size;
         let threads = self.picture.choices().threads.map_or("all".to_string(), |count| count.to_string());
         let head = format!(
             "{names} at {width}x{height}: {} configurations, {runs} runs each, {threads} threads; truth: {judge}",
             rows.len()
         );
-        error::print(&format!("{head}\n\n{}\n{}", table::text(rows), table::LEGEND))?;
+        error::print(&format!("{head}\n\n{}\n{}\n{}", table::text(rows), table::volume_text(rows), table::LEGEND))?;
         if let Some(path) = &self.csv {
             save::write_whole(path, table::csv(rows).as_bytes())?;
         }

@@ -102,6 +102,24 @@ pub(super) enum Chosen<'a> {
     Outside(External),
 }
 
+impl Chosen<'_> {
+    /// What was asked for.
+    pub fn name(&self) -> &str {
+        match self {
+            Chosen::Registered(entry) => &entry.name,
+            Chosen::Outside(external) => external.name(),
+        }
+    }
+
+    /// As the driver takes it.
+    pub fn rasterizer(&self) -> &dyn Rasterizer {
+        match self {
+            Chosen::Registered(entry) => &*entry.rasterizer,
+            Chosen::Outside(external) => external,
+        }
+    }
+}
+
 /// The rasterizer named after `-r`; `None` for `none`.
 pub(super) fn find_rasterizer<'a>(registry: &'a Registry, name: &str) -> Result<Option<Chosen<'a>>, CliError> {
     if name == "none" {
@@ -124,10 +142,7 @@ pub(super) fn find_rasterizer<'a>(registry: &'a Registry, name: &str) -> Result<
 
 /// The chosen rasterizer, as the driver takes it.
 pub(super) fn as_rasterizer<'a>(chosen: &'a Option<Chosen<'_>>) -> Option<&'a dyn Rasterizer> {
-    chosen.as_ref().map(|chosen| match chosen {
-        Chosen::Registered(entry) => &*entry.rasterizer as &dyn Rasterizer,
-        Chosen::Outside(external) => external,
-    })
+    chosen.as_ref().map(Chosen::rasterizer)
 }
 
 /// Ends the command where a rasterizer outside farop gave no picture.

@@ -24,7 +24,7 @@ use crate::scene::Scene;
 use crate::screen::DrawList;
 use serde::Serialize;
 
-/// How wrong a picture is. `None`: no oracle has an answer.
+/// How wrong a picture is. `None`: no oracle has an answer, or no picture came; where none came, the others are infinite.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Errors {
     /// The largest error of a channel of a pixel, in levels of 255.
@@ -45,6 +45,30 @@ pub struct Errors {
     pub flip_worst: f64,
     /// 1 - SSIM: 0 where the structure is the same.
     pub dissimilarity: f64,
+}
+
+impl Errors {
+    /// Those of a picture that never came.
+    pub const NO_PICTURE: Errors = Errors {
+        worst_levels: f64::INFINITY,
+        thousandth_levels: f64::INFINITY,
+        rms_levels: f64::INFINITY,
+        wrong_visible_ppm: None,
+        wrong_coverage_ppm: None,
+        silhouette_px: None,
+        flip_mean: f64::INFINITY,
+        flip_worst: f64::INFINITY,
+        dissimilarity: f64::INFINITY,
+    };
+}
+
+/// Why there are no errors.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NoErrors {
+    /// The configuration makes no plan.
+    Plan(PlanError),
+    /// A rasterizer outside farop gave no picture; its reason.
+    NoPicture(String),
 }
 
 /// Silhouettes farther apart than this many pixels are not told apart.
@@ -73,17 +97,21 @@ impl<'a> Judge<'a> {
         Judge { scene, truth, encoding: base.encoding, tracer, parts: Parts::new(scene), picture, flip }
     }
 
-    /// The errors of one configuration.
+    /// The errors of one configuration. A rasterizer that hands over a finished picture does not say which polygon shows where, so
+    /// only its colors are judged.
     ///
     /// # Errors
-    /// [`PlanError`] when it makes no plan.
-    pub fn errors(&self, configuration: &Configuration, rasterizer: &dyn Rasterizer) -> Result<Errors, PlanError> {
+    /// [`NoErrors`] when it makes no plan, or no picture comes.
+    pub fn errors(&self, configuration: &Configuration, rasterizer: &dyn Rasterizer) -> Result<Errors, NoErrors> {
         let choices = &configuration.choices;
-        let list = render::list(self.scene, choices, Some(rasterizer))?;
+        let list = render::list(self.scene, choices, Some(rasterizer)).map_err(NoErrors::Plan)?;
         let canvas = Canvas::new(self.scene, choices);
-        let (image, _) = render::draw(&list, Some(rasterizer), &canvas);
+        let (image, puts) = render::draw(&list, Some(rasterizer), &canvas);
+        if let Some(reason) = puts.failure {
+            return Err(NoErrors::NoPicture(reason));
+        }
         let mut errors = self.of_image(&image);
-        if list.has_depth {
+        if list.has_depth && puts.shown == 0 {
             let drawn = owners(&list, rasterizer, &canvas);
             errors.wrong_coverage_ppm = wrong_coverage(&list, &drawn);
             if let Some(tracer) = &self.tracer {

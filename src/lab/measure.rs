@@ -4,7 +4,7 @@
 //!
 //! A machine that slows down must slow all of them: every round runs each configuration once, in a new random order, and the
 //! first round warms up and is dropped. A time is what a frame costs: plan, geometry, rasterizer, averaging; not parsing
-//! and not writing. Rounds end after 15, or when the budget is spent (but not before 3).
+//! and not writing. Of a rasterizer that is a program the start and all that goes to and fro belong to the frame. Rounds end after 15, or when the budget is spent (but not before 3).
 
 use super::check::Random;
 use super::configurations::Configuration;
@@ -63,15 +63,16 @@ pub fn median(mut values: Vec<f64>) -> f64 {
     }
 }
 
-/// Times every configuration; `progress` is told rounds done and rounds in all.
+/// Times every configuration; `progress` is told rounds done and rounds in all. One that gives no picture is not run again,
+/// and its reason takes the place of its times.
 pub fn measure(
     scene: &Scene,
     configurations: &[(&Configuration, &dyn Rasterizer)],
     effort: &Effort,
     progress: &dyn Fn(usize, usize),
-) -> Vec<Timing> {
+) -> Vec<Result<Timing, String>> {
     let mut random = Random::new(effort.seed);
-    let mut times = vec![Vec::new(); configurations.len()];
+    let mut times = vec![Ok(Vec::new()); configurations.len()];
     let start = Instant::now();
     for round in 0..=effort.rounds {
         if round > FEWEST_ROUNDS && start.elapsed() > effort.budget {
@@ -79,18 +80,20 @@ pub fn measure(
         }
         for index in shuffled(configurations.len(), &mut random) {
             let (configuration, rasterizer) = configurations[index];
+            let Ok(own_times) = &mut times[index] else { continue };
             let start = Instant::now();
             let rendered = render::render(scene, &configuration.choices, Some(rasterizer));
             let time = start.elapsed().as_secs_f64() * 1e3;
             // Freed outside the time.
-            drop(rendered);
-            if round > 0 {
-                times[index].push(time);
+            if let Some(reason) = rendered.ok().and_then(|rendered| rendered.puts.failure) {
+                times[index] = Err(reason);
+            } else if round > 0 {
+                own_times.push(time);
             }
         }
         progress(round + 1, effort.rounds + 1);
     }
-    times.iter().map(|times| Timing::of(times)).collect()
+    times.into_iter().map(|times| times.map(|times| Timing::of(&times))).collect()
 }
 
 /// The numbers below `count` in random order (Fisher and Yates).

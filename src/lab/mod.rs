@@ -21,13 +21,15 @@ pub mod table;
 pub mod truth;
 
 use self::configurations::Configuration;
-use self::errors::{Errors, Judge};
+use self::errors::{Errors, Judge, NoErrors};
 use self::measure::{Effort, Timing};
+use self::pareto::{Extent, Point, hypervolume};
 use self::truth::Truth;
 use crate::plan::{Choices, PlanError};
 use crate::raster::Rasterizer;
 use crate::scene::Scene;
 use serde::Serialize;
+use std::collections::BTreeMap;
 
 /// One configuration with what it costs and how wrong it is.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,7 +40,13 @@ pub struct Row {
     pub timing: Timing,
     /// How far it is from the truth.
     pub errors: Errors,
+    /// Why there is no picture, from a rasterizer outside farop; then times are 0 and errors those of no picture.
+    pub failure: Option<String>,
 }
+
+/// So many failures of a rasterizer that has never given a picture, and its other configurations are not tried: each may take its
+/// whole time limit.
+const HOPELESS: usize = 3;
 
 /// The kinds of error that are charted and have a front.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -60,6 +68,19 @@ pub enum Kind {
 impl Kind {
     /// All kinds, the one that the table's front is about first.
     pub const ALL: [Kind; 6] = [Kind::Rms, Kind::Worst, Kind::Thousandth, Kind::Visible, Kind::Silhouette, Kind::Flip];
+
+    /// The name of its column.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Kind::Rms => "rms",
+            Kind::Worst => "worst",
+            Kind::Thousandth => "1/1000",
+            Kind::Visible => "visible",
+            Kind::Silhouette => "outline",
+            Kind::Flip => "FLIP",
+        }
+    }
 
     /// Name and unit.
     #[must_use]
@@ -96,10 +117,45 @@ pub fn points(rows: &[Row], kind: Kind) -> Vec<pareto::Point> {
     rows.iter().map(point).collect()
 }
 
+/// How much of time and error of one kind the rows dominate: see [`pareto::hypervolume`].
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Volume {
+    /// Which error.
+    #[serde(skip)]
+    pub kind: Kind,
+    /// Least milliseconds and least error of all rows.
+    pub ideal: (f64, f64),
+    /// Most milliseconds and largest error of all rows.
+    pub reference: (f64, f64),
+    /// Hypervolume of all rows.
+    pub all: f64,
+    /// Hypervolume of the rows of each rasterizer, in the same box; `None` where the error of none of them is known.
+    pub of: BTreeMap<String, Option<f64>>,
+}
+
+/// The hypervolumes of every kind of error that tells rows apart.
+#[must_use]
+pub fn volumes(rows: &[Row]) -> Vec<Volume> {
+    let volume = |kind: Kind| {
+        let points = points(rows, kind);
+        let extent = Extent::of(&points)?;
+        let mut by_rasterizer: BTreeMap<String, Vec<Point>> = BTreeMap::new();
+        for (row, &point) in rows.iter().zip(&points) {
+            by_rasterizer.entry(row.configuration.rasterizer.clone()).or_default().push(point);
+        }
+        let is_known = |points: &[Point]| points.iter().any(|point| point.error.is_finite());
+        let of = |points: Vec<Point>| is_known(&points).then(|| hypervolume(&points, &extent));
+        let of = by_rasterizer.into_iter().map(|(name, points)| (name, of(points))).collect();
+        let Extent { ideal, reference } = extent;
+        Some(Volume { kind, ideal, reference, all: hypervolume(&points, &extent), of })
+    };
+    Kind::ALL.into_iter().filter_map(volume).collect()
+}
+
 /// Told what is going on: the work, how much of it is done, how much there is.
 pub type Progress<'a> = &'a dyn Fn(&str, usize, usize);
 
-/// Judges and times every configuration; `truth` is that of `base`.
+/// Judges and times every configuration; `truth` is that of `base`. What gives no picture becomes a row with its reason.
 ///
 /// # Errors
 /// [`PlanError`] when a configuration makes no plan.
@@ -111,14 +167,36 @@ pub fn run(
 ) -> Result<Vec<Row>, PlanError> {
     let base = Choices { samples: 1, ..base.clone() };
     let judge = Judge::new(scene, truth, &base);
-    let mut errors = Vec::new();
+    let mut rows: Vec<Row> = Vec::new();
     for (index, (configuration, rasterizer)) in configurations.iter().enumerate() {
         progress("judging", index, configurations.len());
-        errors.push(judge.errors(configuration, *rasterizer)?);
+        let judged = match hopeless(&rows, &configuration.rasterizer) {
+            Some(reason) => Err(NoErrors::NoPicture(format!("not tried after {HOPELESS} failures: {reason}"))),
+            None => judge.errors(configuration, *rasterizer),
+        };
+        let (errors, failure) = match judged {
+            Ok(errors) => (errors, None),
+            Err(NoErrors::NoPicture(reason)) => (Errors::NO_PICTURE, Some(reason)),
+            Err(NoErrors::Plan(error)) => return Err(error),
+        };
+        rows.push(Row { configuration: configuration.clone(), timing: Timing::default(), errors, failure });
     }
-    let borrowed: Vec<_> =
-        configurations.iter().map(|(configuration, rasterizer)| (configuration, *rasterizer)).collect();
+    let drawn: Vec<usize> = (0..rows.len()).filter(|&index| rows[index].failure.is_none()).collect();
+    let borrowed: Vec<_> = drawn.iter().map(|&index| (&configurations[index].0, configurations[index].1)).collect();
     let timings = measure::measure(scene, &borrowed, effort, &|done, all| progress("timing", done, all));
-    let rows = configurations.iter().zip(timings).zip(errors);
-    Ok(rows.map(|((entry, timing), errors)| Row { configuration: entry.0.clone(), timing, errors }).collect())
+    for (index, timing) in drawn.into_iter().zip(timings) {
+        match timing {
+            Ok(timing) => rows[index].timing = timing,
+            Err(reason) => (rows[index].errors, rows[index].failure) = (Errors::NO_PICTURE, Some(reason)),
+        }
+    }
+    Ok(rows)
+}
+
+/// The first reason of a rasterizer that has failed often enough and never given a picture.
+fn hopeless<'a>(rows: &'a [Row], rasterizer: &str) -> Option<&'a str> {
+    let own = || rows.iter().filter(|row| row.configuration.rasterizer == rasterizer);
+    (own().count() >= HOPELESS && own().all(|row| row.failure.is_some()))
+        .then(|| own().find_map(|row| row.failure.as_deref()))
+        .flatten()
 }

@@ -19,6 +19,9 @@ pub(super) struct Cone {
     pub apex_radius: f64,
 }
 
+/// The sine of the angle to the z axis below which a cone counts as upright.
+const UPRIGHT: f64 = 1e-6;
+
 /// Three directions, unit and square to each other, in which a cone is simple; and how far its ends are apart.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Frame {
@@ -61,9 +64,11 @@ impl Cone {
         let Some(along) = unit(axis) else {
             return Frame { along: Vec3::Z, across: Vec3::X, beside: Vec3::Y, height: 0.0 };
         };
-        // SPD's limit is absolute; a tiny cone may fail it in any direction, so the third try is the one that cannot.
+        // Too close to z, the cross product has no direction to speak of. SPD's limit is absolute; a tiny cone would fail it in every
+        // direction and a huge one in none, so here it is a part of the cone's own length.
         let beside_z = axis.cross(Vec3::Z);
-        let across = if beside_z.length() < 1e-6 { unit(axis.cross(Vec3::X)) } else { unit(beside_z) };
+        let is_upright = along.cross(Vec3::Z).length() < UPRIGHT;
+        let across = if is_upright { unit(axis.cross(Vec3::X)) } else { unit(beside_z) };
         let across = across.unwrap_or_else(|| along.any_orthonormal_vector());
         Frame { along, across, beside: along.cross(across), height: axis.dot(along) }
     }

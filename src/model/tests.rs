@@ -204,3 +204,24 @@ fn a_warm_mesh_keeps_its_memory_and_a_used_one_its_polygons() {
     tessellate(&SPHERE, false, Detail::Segments(8), 1, &mut mesh);
     assert_eq!((capacities(&mesh), mesh == first), (before, true));
 }
+
+/// A cone a power of two larger or smaller is the same cone: whether it stands upright is a matter of its direction.
+#[test]
+fn cones_of_every_size_start_in_the_same_direction() {
+    let of_size = |exponent: i32, tilt: f64| {
+        let size = 2.0_f64.powi(exponent);
+        let (base, apex) = (Vec3::ZERO, Vec3::new(tilt, tilt / 2.0, 1.0) * size);
+        let mesh = mesh_of(
+            &Shape::Cone { base, base_radius: size, apex, apex_radius: size / 2.0 },
+            false,
+            Detail::Segments(8),
+        );
+        mesh.vertices.iter().map(|&vertex| vertex / size).collect::<Vec<Vec3>>()
+    };
+    for tilt in [0.5, 1e-3, 1e-5, 1e-9, 0.0] {
+        let plain = of_size(0, tilt);
+        for exponent in [-40, -20, 20, 40] {
+            assert_eq!(of_size(exponent, tilt), plain, "tilt {tilt}, size 2^{exponent}");
+        }
+    }
+}

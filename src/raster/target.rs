@@ -28,6 +28,8 @@ pub struct PutCounts {
     pub overdraw: u64,
     /// Fragments outside the picture: dropped.
     pub stray_writes: u64,
+    /// Samples of a picture that was finished elsewhere: nobody knows which polygon they show; see [`Target::show`].
+    pub shown: u64,
     /// What the rasterizer itself counted, by name; see [`Target::count`].
     pub own: BTreeMap<&'static str, u64>,
     /// As `own`, for numbers of which only the largest matters; see [`Target::count_most`].
@@ -43,6 +45,7 @@ impl std::ops::AddAssign for PutCounts {
         self.puts += other.puts;
         self.overdraw += other.overdraw;
         self.stray_writes += other.stray_writes;
+        self.shown += other.shown;
         for (name, count) in other.own {
             *self.own.entry(name).or_default() += count;
         }
@@ -179,6 +182,7 @@ impl Target<'_> {
     /// in this target is dropped.
     pub fn show(&mut self, x: i32, y: i32, color: Rgb<f32>) {
         if let Some(index) = self.index(x, y) {
+            self.counts.shown += 1;
             self.color[index] = color;
         }
     }

@@ -74,6 +74,23 @@ pub const SCENES: [SpdScene; 13] = [
 
 static ALL: [SpdScene; 13] = SCENES;
 
+/// All of them by name, each with a size that is quick to draw: for tests and checks that go through all.
+pub const SMALL: [(&str, u32); 13] = [
+    ("balls", 2),
+    ("gears", 1),
+    ("jacks", 1),
+    ("lattice", 2),
+    ("mount", 4),
+    ("nurbtst", 1),
+    ("rings", 1),
+    ("sample", 1),
+    ("shells", 1),
+    ("sombrero", 1),
+    ("teapot", 4),
+    ("tetra", 3),
+    ("tree", 4),
+];
+
 /// The scene called `name` (lower case, as in [`SCENES`]), or `None`.
 ///
 /// ```

@@ -15,23 +15,6 @@ pub fn built_in(name: &str, size: u32, curves: Curves) -> Scene {
     read_nff(name, &text, ParseOptions::default()).unwrap_or_else(|errors| panic!("{errors}")).scene
 }
 
-/// Sizes of all built-in scenes that are quick to draw.
-pub const SMALL: [(&str, u32); 13] = [
-    ("balls", 2),
-    ("gears", 1),
-    ("jacks", 1),
-    ("lattice", 2),
-    ("mount", 4),
-    ("nurbtst", 1),
-    ("rings", 1),
-    ("sample", 1),
-    ("shells", 1),
-    ("sombrero", 1),
-    ("teapot", 4),
-    ("tetra", 3),
-    ("tree", 4),
-];
-
 /// The draw list and the counts of a scene.
 pub fn geometry_of(scene: &Scene, choices: &Choices) -> (DrawList, Counts) {
     let plan = Plan::new(scene, choices, Accepts::AnyPolygon).unwrap_or_else(|error| panic!("{error}"));

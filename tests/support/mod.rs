@@ -6,7 +6,6 @@ pub mod built_in;
 pub mod census;
 pub mod cut;
 pub mod half_planes;
-pub mod hard;
 pub mod mixed;
 pub mod owners;
 pub mod random;

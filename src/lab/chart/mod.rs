@@ -10,11 +10,12 @@
 
 mod axis;
 mod font;
+mod label;
 mod png;
 mod svg;
 
 use self::axis::Axis;
-use super::pareto::{Standing, front, standings};
+use super::pareto::{Point, Standing, front, standings};
 use super::{Kind, Row, points};
 use crate::image::Picture;
 
@@ -65,9 +66,8 @@ impl Color {
 /// Size of a panel, and the room around its axes: left, top, right, bottom.
 const PANEL: (f64, f64) = (720.0, 460.0);
 const ROOM: [f64; 4] = [78.0, 46.0, 20.0, 46.0];
-/// How wide a letter is taken to be, and how high a line, when labels make room for each other.
+/// How wide a letter is taken to be.
 const LETTER: f64 = 6.0;
-const LINE: f64 = 12.0;
 
 /// A chart: marks on a white sheet.
 #[derive(Clone, Debug)]
@@ -120,25 +120,38 @@ impl Chart {
             Color::Ink,
         );
 
-        // What is worth least lies below.
-        let marks = standings(&points);
+        self.legend((right, corner.1 + 18.0));
+
+        self.points(rows, &points, (&x, &y), [left, top, right, bottom]);
+    }
+
+    /// All points, what is worth least below; the front with its names.
+    fn points(&mut self, rows: &[Row], points: &[Point], (x, y): (&Axis, &Axis), panel: [f64; 4]) {
+        let at = |point: &Point| (x.place(point.time), y.place(point.error));
+        let (marks, mut dots) = (standings(points), Vec::new());
         for (standing, color) in [(Standing::Dominated, Color::Dominated), (Standing::Tied, Color::Tied)] {
-            for at in (0..points.len()).filter(|&at| marks[at] == standing && points[at].error.is_finite()) {
-                let at = (x.place(points[at].time), y.place(points[at].error));
-                self.marks.push(Mark::Dot { at, color, filled: standing == Standing::Dominated });
+            let known = points.iter().zip(&marks).filter(|(point, _)| point.error.is_finite());
+            for (point, _) in known.filter(|(_, mark)| **mark == standing) {
+                dots.push(at(point));
+                self.marks.push(Mark::Dot { at: at(point), color, filled: standing == Standing::Dominated });
             }
         }
-        let front = front(&points);
-        let places: Vec<(f64, f64)> =
-            front.iter().map(|&at| (x.place(points[at].time), y.place(points[at].error))).collect();
+        let front = front(points);
+        let places: Vec<(f64, f64)> = front.iter().map(|&index| at(&points[index])).collect();
         for pair in places.windows(2) {
             let (a, b) = (pair[0], pair[1]);
             self.line(a, (b.0, a.1), Color::Front);
             self.line((b.0, a.1), b, Color::Front);
         }
         places.iter().for_each(|&at| self.marks.push(Mark::Dot { at, color: Color::Front, filled: true }));
-        let names = front.iter().map(|&at| rows[at].configuration.name.as_str());
-        self.labels(&places, &names.collect::<Vec<_>>(), (right, bottom));
+        dots.extend(&places);
+        let names: Vec<&str> = front.iter().map(|&index| rows[index].configuration.name.as_str()).collect();
+        for label in label::labels(&places, &names, &dots, panel) {
+            self.text(label.start, names[label.index], 0.0, Color::Ink);
+            if let Some(end) = label.line {
+                self.line(places[label.index], end, Color::Dominated);
+            }
+        }
     }
 
     fn frame(&mut self, (x, y): (&Axis, &Axis), (left, right): (f64, f64), (top, bottom): (f64, f64)) {
@@ -157,38 +170,14 @@ impl Chart {
         self.text(((left + right) / 2.0, bottom + 34.0), "milliseconds", 0.5, Color::Ink);
     }
 
-    /// Names beside points, moved up or down where they would cover another one or leave the panel.
-    fn labels(&mut self, places: &[(f64, f64)], names: &[&str], (right, bottom): (f64, f64)) {
-        let mut taken: Vec<[f64; 4]> = places.iter().map(|&(x, y)| [x - 4.0, y - 4.0, x + 4.0, y + 4.0]).collect();
-        // The staircase, too.
-        for pair in places.windows(2) {
-            let ((x0, y0), (x1, y1)) = (pair[0], pair[1]);
-            taken.extend([[x0, y0, x1, y0], [x1, y0.min(y1), x1, y0.max(y1)]]);
-        }
-        for (&(x, y), name) in places.iter().zip(names) {
-            let width = name.chars().count() as f64 * LETTER;
-            let box_at = |step: i32| {
-                let start = if x + 9.0 + width > right { x - 9.0 - width } else { x + 9.0 };
-                let base = y - 5.0 + f64::from(step) * 4.0;
-                [start, base - LINE + 2.0, start + width, base + 2.0]
-            };
-            let free = |step: &i32| {
-                let own = box_at(*step);
-                own[3] < bottom
-                    && taken.iter().all(|b| own[2] < b[0] || own[0] > b[2] || own[3] < b[1] || own[1] > b[3])
-            };
-            // The nearest free place, above before below.
-            let step = (0..80).flat_map(|step| [-step, step]).find(free).unwrap_or(0);
-            let own = box_at(step);
-            taken.push(own);
-            self.text((own[0], own[3] - 2.0), name, 0.0, Color::Ink);
-            if step.abs() > 3 {
-                self.line(
-                    (x, y),
-                    (if own[0] > x { own[0] - 2.0 } else { own[2] + 2.0 }, own[3] - 5.0),
-                    Color::Dominated,
-                );
-            }
+    /// Which color means what, ending at `right`.
+    fn legend(&mut self, (right, base): (f64, f64)) {
+        let mut end = right;
+        for (word, color) in [("dominated", Color::Dominated), ("tied", Color::Tied), ("front", Color::Front)] {
+            self.text((end, base), word, 1.0, Color::Ink);
+            let start = end - word.len() as f64 * LETTER - 8.0;
+            self.marks.push(Mark::Dot { at: (start, base - 4.0), color, filled: color != Color::Tied });
+            end = start - 16.0;
         }
     }
 

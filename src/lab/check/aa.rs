@@ -1,6 +1,10 @@
 //! Aa: A x A samples a pixel against the exact area, and the exact area against another way to find it.
 //!
-//! half planes at all angles, snapped -> samples of the z-buffer -> share of each pixel; [`crate::oracle::area`] -> the true share
+//! half planes at all angles, snapped -> averaged picture of the z-buffer -> share of each pixel; [`crate::oracle::area`] -> the true share
+//!
+//! What is judged is the picture, not the samples: weights that are not all the same show, too. The same half planes then go the whole
+//! way from a scene, slanted in space, at numbers of samples that are no powers of two as well: there the share is known from
+//! where the scene puts the edge, so samples that stand in other places than they should show.
 //!
 //! The error of an edge at a random angle falls as A to the power of -1.5: A rows err independently by a part of a sample each, and
 //! sqrt(A) of A equal errors remain. On an edge along an axis all rows err alike: 1 / (A sqrt 12), the spread of a number rounded to A steps.
@@ -9,17 +13,24 @@
 //! Source: the law was measured before (`docs/accuracy-2.md`); its two parts are the central limit theorem and a uniform distribution.
 //! Cost: A^2 a picture.
 
-use super::agree::owners;
+use super::random_scenes::{camera, facets, scene, surface};
 use super::report::Value;
 use super::{Effort, Random, Report};
-use crate::math::{PI, cos, log, sin};
+use crate::color::{Encoding, Rgb};
+use crate::image::Image;
+use crate::math::{PI, Vec3, cos, log, sin};
 use crate::oracle::Vertices;
 use crate::oracle::area::{outline, share};
+use crate::plan::{Choices, Culling, Shading, Transparency};
 use crate::raster::ZBuffer;
+use crate::render::{self, Canvas, render};
+use crate::scene::{Camera, Material, Scene};
 use crate::screen::{DrawList, Grid};
 
 /// Samples across that are tried.
 const SAMPLES: [u32; 7] = [1, 2, 4, 8, 16, 32, 64];
+/// Samples across that are tried on the way from a scene.
+const SCENE_SAMPLES: [u32; 6] = [1, 2, 3, 4, 5, 8];
 
 /// Fits the two laws.
 pub(super) fn run(effort: &Effort, report: &mut Report) {
@@ -48,6 +59,7 @@ pub(super) fn run(effort: &Effort, report: &mut Report) {
     }
     report.some("pixels that an edge passes through", partial);
     report.within("exponent of the error of slanted edges", slope(&points), (-1.52, -1.48));
+    scenes(effort, report);
     areas(effort, report);
 }
 
@@ -83,45 +95,95 @@ fn errors(effort: &Effort, count: u64, samples: u32, edges: Edges) -> Errors {
             Edges::Axis => ((step % 4) as f64 * PI / 2.0, part - 0.5),
         };
         let list = half_plane((angle, edges), offset, samples);
-        let drawn = owners(&list, &ZBuffer);
+        let canvas = Canvas { samples, background: Rgb::gray(0.0), transparency: Transparency::Over, threads: 1 };
+        let (drawn, _) = render::draw(&list, Some(&ZBuffer), &canvas);
         let outline = outline(&list.polygon(0), Vertices::Snapped, f64::from(samples));
-        for pixel in 0..9_u32 {
-            let exact = share(&outline, (f64::from(pixel % 3), f64::from(pixel / 3))).area;
-            if exact > 0.0 && exact < 1.0 {
-                let error = counted(&drawn, samples, pixel) - exact;
-                errors.squares += error * error;
-                errors.count += 1;
-                errors.largest = errors.largest.max(error.abs());
-            }
-        }
+        errors.add(&drawn, 1.0, &outline);
     }
     errors
 }
 
-/// The share of a pixel's samples that are covered.
-fn counted(drawn: &[Option<u32>], samples: u32, pixel: u32) -> f64 {
-    let (left, top) = (pixel % 3 * samples, pixel / 3 * samples);
-    let row = |y: u32| {
-        let start = (y * 3 * samples + left) as usize;
-        drawn[start..start + samples as usize].iter().flatten().count()
+impl Errors {
+    /// Adds the errors of the pixels of `drawn`, where `white` is the light of a full one, that `outline` covers in part.
+    fn add(&mut self, drawn: &Image, white: f64, outline: &[(f64, f64)]) {
+        for pixel in 0..9_u32 {
+            let exact = share(outline, (f64::from(pixel % 3), f64::from(pixel / 3))).area;
+            if exact > 0.0 && exact < 1.0 {
+                let light = drawn.pixel((pixel % 3) as usize, (pixel / 3) as usize);
+                let error = f64::from(light.g) / white - exact;
+                self.squares += error * error;
+                self.count += 1;
+                self.largest = self.largest.max(error.abs());
+            }
+        }
+    }
+}
+
+/// Half planes of scenes, on the finest grid: a corner moves by 2^-17 of a sample at most, the share by little more.
+fn scenes(effort: &Effort, report: &mut Report) {
+    let count = effort.count(400, 8_000).max(40);
+    for samples in SCENE_SAMPLES {
+        let mut random = effort.random(11);
+        let mut errors = Errors::default();
+        for step in 0..count {
+            let angle = (step as f64 + random.unit()) / count as f64 * 2.0 * PI;
+            let edges = if step % 8 == 0 { Edges::Axis } else { Edges::Slanted };
+            let corners = corners((angle, edges), random.between(-0.5, 0.5));
+            // Distances whose inverse is linear on the screen: that is a plane.
+            let slant = [0; 2].map(|_| random.between(-0.03, 0.03));
+            let full = drawn(&[(-8.0, -8.0), (11.0, -8.0), (11.0, 11.0), (-8.0, 11.0)], slant, samples);
+            let (Some(full), Some(image)) = (full, drawn(&corners, slant, samples)) else {
+                return report.miss("a half plane cannot be drawn");
+            };
+            errors.add(&image, f64::from(full.pixel(1, 1).g), &corners);
+        }
+        report.some(format!("pixels that an edge of a scene passes through, A = {samples}"), errors.count);
+        report.at_most(
+            format!("largest error in pictures of scenes, A = {samples}, as a multiple of 1 / (2 A)"),
+            Value::Measure(errors.largest * 2.0 * f64::from(samples)),
+            Value::Measure(1.0 + 1e-4),
+        );
+    }
+}
+
+/// A polygon whose corners are at these pixels of a picture of three by three, white under ambient light.
+fn drawn(corners: &[(f64, f64)], [across, down]: [f64; 2], samples: u32) -> Option<Image> {
+    let in_space = |&(x, y): &(f64, f64)| {
+        let w = 2.0 / (1.0 + across * (x - 1.5) + down * (y - 1.5));
+        Vec3::new((x / 1.5 - 1.0) * w, (1.0 - y / 1.5) * w, w)
     };
-    let covered: usize = (top..top + samples).map(row).sum();
-    covered as f64 / f64::from(samples * samples)
+    let material = Material { ambient: Some(1.0), ..Material::default() };
+    let mesh = facets(&[corners.iter().map(in_space).collect()]);
+    let camera = Camera { hither: 1e-3, ..camera(3, 3) };
+    let scene = Scene { lights: Vec::new(), ..scene(camera, vec![surface(material, mesh)]) };
+    let choices = Choices {
+        samples,
+        shading: Shading::Flat,
+        culling: Culling::None,
+        encoding: Encoding::Linear,
+        subpixel_bits: 16,
+        threads: Some(1),
+        ..Choices::default()
+    };
+    Some(render(&scene, &choices, Some(&ZBuffer)).ok()?.image)
 }
 
 /// What lies on one side of a line past the middle pixel, in a picture of three by three pixels.
-fn half_plane((angle, edges): (f64, Edges), offset: f64, samples: u32) -> DrawList {
+fn half_plane(line: (f64, Edges), offset: f64, samples: u32) -> DrawList {
+    let mut list = DrawList::new(3 * samples, 3 * samples);
+    list.grid = Grid { bits: 16 };
+    let in_samples = |(x, y): (f64, f64)| (x * f64::from(samples), y * f64::from(samples));
+    list.push_flat(&corners(line, offset).map(in_samples), 1.0, [1.0; 3]);
+    list
+}
+
+/// Its corners, in pixels.
+fn corners((angle, edges): (f64, Edges), offset: f64) -> [(f64, f64); 4] {
     // An edge along an axis is exactly that: no rounding of a sine may tilt it.
     let exact = |value: f64| if edges == Edges::Axis { value.round() } else { value };
     let (c, s) = (exact(cos(angle)), exact(sin(angle)));
-    let at = |along: f64, across: f64| {
-        let (x, y) = (1.5 + c * along - s * across, 1.5 + s * along + c * across);
-        (x * f64::from(samples), y * f64::from(samples))
-    };
-    let mut list = DrawList::new(3 * samples, 3 * samples);
-    list.grid = Grid { bits: 16 };
-    list.push_flat(&[at(-9.0, offset), at(9.0, offset), at(9.0, 9.0), at(-9.0, 9.0)], 1.0, [1.0; 3]);
-    list
+    let at = |along: f64, across: f64| (1.5 + c * along - s * across, 1.5 + s * along + c * across);
+    [at(-9.0, offset), at(9.0, offset), at(9.0, 9.0), at(-9.0, 9.0)]
 }
 
 /// The slope of the line of least squares.

@@ -17,7 +17,7 @@ use crate::raster::{Frame, Rasterizer, Watkins, ZBuffer};
 use crate::render::{list, render};
 use crate::scene::Scene;
 use crate::screen::DrawList;
-use crate::spd::{self, Curves};
+use crate::spd::{self, Curves, SMALL};
 
 /// Draws every scene three times.
 pub(super) fn run(effort: &Effort, report: &mut Report) {
@@ -39,23 +39,6 @@ pub(super) fn run(effort: &Effort, report: &mut Report) {
     report.count("standard scenes", SMALL.len() as u64);
     standard.print_totals("of standard scenes", report);
 }
-
-/// All standard scenes, in sizes that are quick to draw.
-pub(super) const SMALL: [(&str, u32); 13] = [
-    ("balls", 2),
-    ("gears", 1),
-    ("jacks", 1),
-    ("lattice", 2),
-    ("mount", 4),
-    ("nurbtst", 1),
-    ("rings", 1),
-    ("sample", 1),
-    ("shells", 1),
-    ("sombrero", 1),
-    ("teapot", 4),
-    ("tetra", 3),
-    ("tree", 4),
-];
 
 /// A standard scene, read from its own text.
 pub(super) fn standard_scene(name: &str, size: u32) -> Option<Scene> {

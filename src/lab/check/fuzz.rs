@@ -1,32 +1,36 @@
 //! Fuzz: what is read, cut, split and drawn may be anything; nothing may panic, and no picture holds a color that is no number.
 //!
-//! Seven targets take turns: scene texts (legal NFF and `.sipp`, mangled), screen files (legal, mangled), cutting, splitting, drawing lists, and
-//! whole pictures of mangled scenes. A legal text is mangled by bytes changed, dropped, repeated, and by words replaced
-//! with numbers that hurt. The same seed gives the same executions; a panic is caught and is a miss with its number.
+//! Eight targets take turns: scene texts (NFF and `.sipp`), Bezier files, screen files of both kinds, cutting, splitting, drawing lists, and
+//! whole pictures of mangled scenes. Texts are legal ones, mangled ([`super::fuzz_texts`]); what is said about them is written out, too,
+//! for messages quote the text. The same seed gives the same executions; a panic is caught and is a miss with its number and words.
 //!
 //! Source: B. Miller, L. Fredriksen, B. So, "An Empirical Study of the Reliability of UNIX Utilities", CACM 33(12), 1990.
 
+use super::fuzz_texts::{CURVES, SCENE, TREE, mangled, screen_text};
 use super::scenes::{AREA_RASTERIZERS, draw};
 use super::tally::{Tally, sum};
 use super::{Effort, Random, Report};
 use crate::color::Rgb;
+use crate::diagnostic::Diagnostics;
 use crate::geometry::clip::{ClipVertex, ClipVolume, Clipped, Clipper};
 use crate::geometry::split::{SplitScratch, split};
 use crate::image::Image;
 use crate::math::Vec3;
-use crate::parse::{ParseOptions, read_nff, read_sipp};
+use crate::parse::{BezierNet, Format, ParseOptions, Parsed, read_bezier, read_nff, read_sipp};
 use crate::plan::{Choices, Culling, DepthFormat, Shading, Transparency};
 use crate::render::{self, Canvas, render};
-use crate::screen::file::{Attributes, ReadOptions, Sheet, read, write_v2};
+use crate::scene::Primitive;
+use crate::screen::file::{ReadOptions, read};
 use crate::screen::{DrawList, Grid, Plane};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// One kind of execution; returns how many colors or coordinates are not numbers.
+/// One kind of execution; returns how many colors or coordinates are not numbers, and how many indices point nowhere.
 type Target = (&'static str, fn(&mut Random, &mut Tally) -> u64);
 
-const TARGETS: [Target; 7] = [
+const TARGETS: [Target; 8] = [
     ("scene texts read", scene_text),
     ("trees of objects read", tree_text),
+    ("Bezier files read", curves_text),
     ("screen files read", screen_file),
     ("polygons cut", cut),
     ("outlines split", split_outline),
@@ -43,11 +47,12 @@ pub(super) fn run(effort: &Effort, report: &mut Report) {
     TARGETS.iter().for_each(|(name, _)| report.some(*name, tally.of(name)));
     report.some("of the texts, still legal", tally.of("legal texts"));
     report.some("of the trees, still legal", tally.of("legal trees"));
+    report.some("of the Bezier files, still legal", tally.of("legal curves"));
     report.some("of the screen files, still legal", tally.of("legal files"));
     report.some("of the polygons, cut to something", tally.of("cut to something"));
     report.some("of the scenes, with a picture", tally.of("pictures"));
     report.none("panics", tally.of("panics"));
-    report.none("colors and coordinates that are not numbers", tally.of("not numbers"));
+    report.none("colors and coordinates that are not numbers, indices that point nowhere", tally.of("not numbers"));
     tally.examples.iter().for_each(|example| report.miss(example));
 }
 
@@ -59,98 +64,84 @@ fn execute(number: u64, random: &mut Random, tally: &mut Tally) {
         Ok(0) => {}
         Ok(not_numbers) => {
             tally.add("not numbers", not_numbers);
-            tally.example(|| format!("execution {number}, {name}: {not_numbers} are not numbers"));
+            tally.example(|| format!("execution {number}, {name}: {not_numbers} are not numbers or point nowhere"));
         }
-        Err(_) => {
+        Err(cause) => {
             tally.add("panics", 1);
-            tally.example(|| format!("execution {number}, {name}: panics"));
+            tally.example(|| format!("execution {number}, {name}: panics, {}", words_of(&*cause)));
         }
     }
 }
 
-const SCENE: &str = "v\nfrom 0 0 -5\nat 0 0 0\nup 0 1 0\nangle 45\nhither 1\nresolution 24 16\nb .1 .2 .3\nl 4 5 -3\n\
-    f 1 .5 .2 .7 .3 8 0 1\np 4\n-1 -1 0\n1 -1 0\n1 1 .5\n-1 1 .5\nf .2 .9 .4 .8 .1 3 .5 1\n\
-    pp 3\n-2 0 1 0 0 -1\n0 2 1 0 .6 -.8\n2 0 1 .6 0 -.8\ns 0 0 1 .5\nc\n0 -1 0 .3\n0 1 0 .1\n\
-    p 6\n0 0 -1\n2 0 -1\n2 1 -1\n1 .2 -1\n.5 1 -1\n0 1 -1\n";
+/// What a panic said.
+fn words_of(cause: &(dyn std::any::Any + Send)) -> &str {
+    let text = cause.downcast_ref::<String>().map(String::as_str);
+    text.or_else(|| cause.downcast_ref::<&str>().copied()).unwrap_or("without a word")
+}
 
-const TREE: &str = "shader s phong { ambient .3 diffuse .6 color 1 .5 .2 } shader t basic { c3 .2 opacity .5 }\nobject arm { \
-    cylinder { radius .1 length 2 shader s } rotate x 30deg move 0 0 1 use hand { scale 1 1 -1 } }\nobject hand { \
-    sphere { radius .4 res 6 shader t } surface s { v 0 0 0 v 1 0 0 n 0 0 1 v 0 1 0 polygon { 1 2 3 } } }\nworld { use arm \
-    clone arm { shader t matrix 1 0 0 0 1 0 0 0 1 3 0 0 } prism { outline 0 0 1 0 0 1 height 2 shader s } }\nlight a spot { from 3 3 9 \
-    at 0 0 0 opening 40 edge soft }\ncamera { from 0 0 9 at 0 0 0 focal .3 } background .1 .2 .3 image 24 16\n";
-
-/// Words that hurt.
-const WORDS: [&str; 20] = [
-    "nan",
-    "-inf",
-    "1e999",
-    "-0",
-    "1e-320",
-    "1e308",
-    "-1e30",
-    "0",
-    "3",
-    "-3",
-    "1e9",
-    "4294967296",
-    "1.",
-    "+.5",
-    "p",
-    "v",
-    "f",
-    "pp",
-    "#",
-    "\0",
-];
-
-/// `text` after up to three changes.
-fn mangled(text: &str, random: &mut Random) -> Vec<u8> {
-    let mut bytes = text.as_bytes().to_vec();
-    for _ in 0..1 + random.below(3) {
-        let at = random.below(bytes.len() as u64) as usize;
-        let end = (at + 1 + random.below(12) as usize).min(bytes.len());
-        match random.below(6) {
-            0 => bytes[at] = random.bits() as u8,
-            1 => drop(bytes.drain(at..end)),
-            2 => {
-                let again = bytes[at..end].to_vec();
-                bytes.splice(at..at, again);
-            }
-            _ => {
-                // The word at or behind `at`.
-                let is_space = |byte: &u8| byte.is_ascii_whitespace();
-                let start = bytes[..at].iter().rposition(is_space).map_or(0, |space| space + 1);
-                let end = bytes[at..].iter().position(is_space).map_or(bytes.len(), |space| at + space);
-                let word = WORDS[random.below(WORDS.len() as u64) as usize];
-                bytes.splice(start.min(end)..end, word.bytes());
-            }
+/// The scene in a text; what is wrong with it, or remarkable, is put into words as users see it.
+fn scene_of(text: &[u8], format: Format) -> Option<Parsed> {
+    let read = match format {
+        Format::Nff => read_nff("fuzz", text, ParseOptions::default()),
+        Format::Sipp => read_sipp("fuzz", text, ParseOptions::default()),
+    };
+    match read {
+        Ok(parsed) => {
+            put_into_words(&parsed.notices);
+            Some(parsed)
         }
-        if bytes.is_empty() {
-            bytes.push(b' ');
+        Err(mistakes) => {
+            put_into_words(&mistakes);
+            None
         }
     }
-    bytes
+}
+
+/// In color, without, and on one line: all quote the text.
+fn put_into_words(said: &Diagnostics) {
+    drop((said.render(true), said.render(false), said.to_string()));
 }
 
 fn scene_text(random: &mut Random, tally: &mut Tally) -> u64 {
-    let text = mangled(SCENE, random);
-    let Ok(parsed) = read_nff("fuzz", &text, ParseOptions::default()) else { return 0 };
+    let Some(parsed) = scene_of(&mangled(SCENE, random), Format::Nff) else { return 0 };
     tally.add("legal texts", 1);
     let vertices = parsed.scene.surfaces.iter().flat_map(|surface| &surface.mesh.vertices);
     vertices.filter(|vertex| !vertex.is_finite()).count() as u64
 }
 
 fn tree_text(random: &mut Random, tally: &mut Tally) -> u64 {
-    let text = mangled(TREE, random);
-    let Ok(parsed) = read_sipp("fuzz", &text, ParseOptions::default()) else { return 0 };
+    let Some(parsed) = scene_of(&mangled(TREE, random), Format::Sipp) else { return 0 };
     tally.add("legal trees", 1);
     let transforms = parsed.scene.objects.iter().map(|object| object.parent_from_local);
     transforms.filter(|transform| transform.is_nan()).count() as u64
 }
 
+fn curves_text(random: &mut Random, tally: &mut Tally) -> u64 {
+    match read_bezier("fuzz", &mangled(CURVES, random)) {
+        Ok(BezierNet::Curves(net)) => {
+            tally.add("legal curves", 1);
+            net.curves.iter().flatten().filter(|&&index| index as usize >= net.vertices.len()).count() as u64
+        }
+        Ok(BezierNet::Patches(net)) => {
+            tally.add("legal curves", 1);
+            net.patches.iter().flatten().filter(|&&index| index as usize >= net.vertices.len()).count() as u64
+        }
+        Err(mistakes) => {
+            put_into_words(&mistakes);
+            0
+        }
+    }
+}
+
 fn picture(random: &mut Random, tally: &mut Tally) -> u64 {
-    let text = mangled(SCENE, random);
-    let Ok(parsed) = read_nff("fuzz", &text, ParseOptions::default()) else { return 0 };
+    let (text, format) = if random.once_in(3) { (TREE, Format::Sipp) } else { (SCENE, Format::Nff) };
+    let Some(parsed) = scene_of(&mangled(text, random), format) else { return 0 };
+    let scene = parsed.into_scene();
+    // A shape of a million polygons takes time and shows nothing new.
+    let finest = |shape: &Primitive| shape.resolution.map_or(0, |[a, b]| a.max(b));
+    if scene.surfaces.iter().flat_map(|surface| &surface.primitives).any(|shape| finest(shape) > 64) {
+        return 0;
+    }
     let choices = Choices {
         size: Some((1 + random.below(24) as u32, 1 + random.below(24) as u32)),
         shading: [Shading::Flat, Shading::Gouraud, Shading::Phong, Shading::Wire][random.below(4) as usize],
@@ -163,23 +154,22 @@ fn picture(random: &mut Random, tally: &mut Tally) -> u64 {
         ..Choices::default()
     };
     let rasterizer = AREA_RASTERIZERS[random.below(3) as usize].1;
-    let Ok(rendered) = render(&parsed.scene, &choices, Some(rasterizer)) else { return 0 };
+    let Ok(rendered) = render(&scene, &choices, Some(rasterizer)) else { return 0 };
     tally.add("pictures", 1);
     nans(&rendered.image)
 }
 
 fn screen_file(random: &mut Random, tally: &mut Tally) -> u64 {
-    let mut list = DrawList::new(12, 10);
-    list.push_flat(&[(1.0, 1.0), (9.0, 2.5), (4.0, 8.25)], 1.0, [0.5, 0.25, 1.0]);
-    list.push_flat(&[(0.0, 0.0), (12.0, 0.0), (12.0, 10.0), (6.0, 5.0), (0.0, 10.0)], 0.5, [1.0; 3]);
-    let mut text = Vec::new();
-    let Some(attributes) = Attributes::from_names("color") else { return 0 };
-    if write_v2(&list, &Sheet::default(), attributes, &mut text).is_err() {
-        return 0;
-    }
-    let text = mangled(&String::from_utf8_lossy(&text), random);
+    let text = screen_text(random);
+    let text = mangled(&text, random);
     let options = ReadOptions { max_pixels: 10_000, ..ReadOptions::default() };
-    let Ok(file) = read(&String::from_utf8_lossy(&text), &options) else { return 0 };
+    let file = match read(&String::from_utf8_lossy(&text), &options) {
+        Ok(file) => file,
+        Err(mistake) => {
+            drop(mistake.to_string());
+            return 0;
+        }
+    };
     tally.add("legal files", 1);
     if u64::from(file.list.width) * u64::from(file.list.height) > 1 << 16 {
         return 0;

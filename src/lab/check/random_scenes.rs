@@ -3,6 +3,9 @@
 //!
 //! seed -> Scene, Choices
 //!
+//! The same seed gives the same scene on every machine. [`hard`] and [`choices`] are public because tests and other programs that judge a
+//! rasterizer want the same cases as `farop check agree`.
+//!
 //! Space: the camera stands at the world's origin and looks along -z with an opening of 90 degrees; places are drawn in eye space (x right,
 //! y up, z along the view). The eye-space point (x, y, w) lands n/2 x/w right of the middle of a square picture of n samples.
 
@@ -15,10 +18,11 @@ use crate::scene::{
 };
 
 /// Pixels of a side of [`hard`]'s pictures.
-pub(super) const SIDE: u32 = 44;
+pub const SIDE: u32 = 44;
 
 /// The hard scene that belongs to `seed`; every other one has surfaces that let light through.
-pub(super) fn hard(seed: u64) -> Scene {
+#[must_use]
+pub fn hard(seed: u64) -> Scene {
     let mut crowd = Crowd { random: Random::new(seed), meshes: vec![Mesh::default(); 6], next: 0 };
     for _ in 0..2 + crowd.random.below(5) {
         crowd.push_group();
@@ -27,7 +31,8 @@ pub(super) fn hard(seed: u64) -> Scene {
 }
 
 /// Choices for it; every combination comes up, as the periods have no common divisor worth speaking of.
-pub(super) fn choices(seed: u64) -> Choices {
+#[must_use]
+pub fn choices(seed: u64) -> Choices {
     let pick = |count: usize, shift: u64| (seed / shift) as usize % count;
     Choices {
         shading: [Shading::Flat, Shading::Gouraud, Shading::Phong][pick(3, 1)],
