@@ -1,0 +1,181 @@
+//! The catalogue, and the grade of each entry held against it.
+
+use super::kept::{self, Kept};
+use super::rust::Drawer;
+use farop::grade::labs::{self, Aspect};
+use farop::grade::verdict::Cause;
+use farop::grade::witness::Witness;
+use farop::grade::{Request, Subject, Verdict, grade};
+use serde::Deserialize;
+use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+/// One rasterizer of the bank.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Entry {
+    /// `rust`, `c` or `python`.
+    pub language: String,
+    /// The file, without its ending.
+    pub source: String,
+    /// The change that makes it wrong; `none` for a right one.
+    pub slip: String,
+    /// The lab it is graded in.
+    pub lab: String,
+    /// What is wrong, in one sentence.
+    pub truth: String,
+    /// Names that send a reader to the right line. `~words` is part of a complaint that is no name.
+    #[serde(default)]
+    pub names: Vec<String>,
+    /// Nothing is wrong with it.
+    #[serde(default)]
+    pub right: bool,
+}
+
+#[derive(Deserialize)]
+struct Catalogue {
+    entry: Vec<Entry>,
+}
+
+/// What the grader made of an entry.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// A right one, and nothing was found.
+    Clean,
+    /// A right one, and something was found.
+    Accused,
+    /// The fault was named, and nothing else.
+    Named,
+    /// Another name, or one more.
+    Misnamed,
+    /// Wrong pixels without a name.
+    Unexplained,
+    /// All points.
+    NotFound,
+}
+
+/// A graded entry.
+#[derive(Clone, Debug)]
+pub struct Graded {
+    /// Who was graded.
+    pub entry: Entry,
+    /// How that went.
+    pub outcome: Outcome,
+    /// What was named, complained of, or left unexplained.
+    pub said: Vec<String>,
+    /// Polygons of the witness, and its width and height in pixels.
+    pub witness: Option<(usize, u32, u32)>,
+    /// Points earned.
+    pub earned: f64,
+    /// Seconds.
+    pub seconds: f64,
+}
+
+/// The entries of `bank.toml`.
+pub fn catalogue() -> Result<Vec<Entry>, String> {
+    let path = kept::folder().join("bank.toml");
+    let text = std::fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
+    let catalogue: Catalogue = toml::from_str(&text).map_err(|error| error.to_string())?;
+    Ok(catalogue.entry)
+}
+
+/// Grades entries, on two threads; `seen` is told of each at once, the result is in their order.
+pub fn grade_all(
+    entries: &[Entry],
+    temporary: &Path,
+    seen: impl Fn(&Result<Graded, String>) + Sync,
+) -> Result<Vec<Graded>, String> {
+    let (next, results) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
+    std::thread::scope(|scope| {
+        for _ in 0..2 {
+            scope.spawn(|| {
+                while let Some(entry) = entries.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    let graded = grade_one(entry, temporary);
+                    seen(&graded);
+                    results.lock().unwrap_or_else(PoisonError::into_inner).push(graded);
+                }
+            });
+        }
+    });
+    let mut graded = results.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter().collect::<Result<Vec<_>, _>>()?;
+    let place = |graded: &Graded| entries.iter().position(|entry| is_same(entry, &graded.entry));
+    graded.sort_by_key(place);
+    Ok(graded)
+}
+
+fn is_same(one: &Entry, other: &Entry) -> bool {
+    (&one.language, &one.source, &one.slip, &one.lab) == (&other.language, &other.source, &other.slip, &other.lab)
+}
+
+fn grade_one(entry: &Entry, temporary: &Path) -> Result<Graded, String> {
+    let verdict = match entry.language.as_str() {
+        "rust" => {
+            let none = || format!("there is no source {}", entry.source);
+            Drawer::new(&entry.source, &entry.slip).ok_or_else(none)?.with_subject(|s| verdict_of(entry, s))
+        }
+        "c" => {
+            let program = kept::compile(&entry.source, &entry.slip, temporary)?;
+            verdict_of(entry, &Kept::start(&[program.into()])?)
+        }
+        _ => {
+            let script = kept::folder().join("python").join(format!("{}.py", entry.source));
+            let words = ["python3".into(), "-S".into(), "-B".into(), script.into(), entry.slip.clone().into()];
+            verdict_of(entry, &Kept::start(&words)?)
+        }
+    }?;
+    Ok(held_against(entry, &verdict))
+}
+
+/// The verdict on a subject in the entry's lab.
+pub fn verdict_of(entry: &Entry, subject: &dyn Subject) -> Result<Verdict, String> {
+    let lab = labs::find(&entry.lab).ok_or_else(|| format!("there is no lab {}", entry.lab))?;
+    let points = |aspect: &Aspect| f64::from(aspect.points);
+    let request = Request { lab, name: entry.slip.clone(), seed: 1, points: &points };
+    Ok(grade(subject, &request, &mut |_| ()))
+}
+
+fn held_against(entry: &Entry, verdict: &Verdict) -> Graded {
+    let mut said: Vec<String> =
+        verdict.faults.iter().filter(|fault| !fault.is_accepted).map(|fault| fault.name.to_string()).collect();
+    let named = said.len();
+    for aspect in &verdict.aspects {
+        match &aspect.cause {
+            Some(Cause::Other(words)) => said.push(format!("~{words}")),
+            Some(Cause::Unexplained { closest, explained, next, next_explained }) => said.push(format!(
+                "? {}: of {} wrong, {closest} {explained}, {next} {next_explained}",
+                aspect.name,
+                aspect.wrong()
+            )),
+            _ => {}
+        }
+    }
+    said.dedup();
+    let is_expected = |word: &String| {
+        entry.names.iter().any(|name| match name.strip_prefix('~') {
+            Some(part) => word.starts_with('~') && word.contains(part),
+            None => name == word,
+        })
+    };
+    let outcome = if entry.right {
+        if verdict.is_passed() && said.is_empty() { Outcome::Clean } else { Outcome::Accused }
+    } else if said.is_empty() {
+        Outcome::NotFound
+    } else if said.iter().all(is_expected) {
+        Outcome::Named
+    } else if named == 0 && said.iter().all(|word| word.starts_with('?')) {
+        Outcome::Unexplained
+    } else {
+        Outcome::Misnamed
+    };
+    let (witness, earned) = (witness_of(verdict), verdict.earned() / verdict.most());
+    Graded { entry: entry.clone(), outcome, said, witness, earned, seconds: verdict.seconds }
+}
+
+/// The witness of the first mistake.
+fn witness_of(verdict: &Verdict) -> Option<(usize, u32, u32)> {
+    let charged = verdict.faults.iter().filter(|fault| !fault.is_accepted).map(|fault| fault.aspect);
+    let own = charged.filter_map(|aspect| verdict.aspects.get(aspect)?.witness.as_ref()).next();
+    let any = || verdict.aspects.iter().find_map(|aspect| aspect.witness.as_ref());
+    own.or_else(any).map(|Witness { case, .. }| (case.faces.len(), case.width / case.samples, case.height / case.samples))
+}
