@@ -2,7 +2,8 @@
 //!
 //! cargo run --release --example grading_bank [-- --markdown docs/grading-bank.md] [WORD]
 //!
-//! WORD: only entries whose language, source, slip or lab is that.
+//! WORD: only entries whose language, source, slip or lab is that. `--save FILE` keeps what the grader said; `--from FILE` holds it against
+//! the catalogue again, and draws nothing: for when a name was added to the catalogue.
 
 use std::process::ExitCode;
 
@@ -27,33 +28,56 @@ fn main() -> ExitCode {
 }
 
 fn run() -> Result<(), String> {
-    let mut arguments: Vec<String> = std::env::args().skip(1).collect();
-    let markdown = match arguments.iter().position(|word| word == "--markdown") {
-        Some(at) if at + 1 < arguments.len() => arguments.drain(at..at + 2).nth(1),
-        Some(_) => return Err("--markdown needs a file".to_string()),
-        None => None,
-    };
-    let is_asked = |entry: &judge::Entry| {
-        arguments.iter().all(|word| [&entry.language, &entry.source, &entry.slip, &entry.lab].contains(&word))
-    };
+    let mut words: Vec<String> = std::env::args().skip(1).collect();
+    let [markdown, save, from] = ["--markdown", "--save", "--from"].map(|option| taken(&mut words, option));
+    let is_asked = |entry: &judge::Entry| words.iter().all(|word| entry.key().contains(word));
     let (mut entries, mut notices) = (judge::catalogue()?, Vec::new());
     entries.retain(is_asked);
+    let graded = match from {
+        Some(path) => read(&path, &entries)?,
+        None => {
+            leave_out(&mut entries, &mut notices);
+            let temporary = tempfile::tempdir().map_err(|error| error.to_string())?;
+            judge::grade_all(&entries, temporary.path(), |one| print!("{}", table::line(one)))?
+        }
+    };
+    print!("\n{}", table::sums(&graded, &notices));
+    if let Some(path) = save {
+        let reports: Vec<_> = graded.iter().map(|one| &one.report).collect();
+        write(&path, &serde_json::to_string(&reports).map_err(|error| error.to_string())?)?;
+    }
+    markdown.map_or(Ok(()), |path| write(&path, &(PREFACE.to_string() + &table::markdown(&graded, &notices))))
+}
+
+/// The word behind an option; both are taken away.
+fn taken(words: &mut Vec<String>, option: &str) -> Option<String> {
+    let at = words.iter().position(|word| word == option)?;
+    words.drain(at..(at + 2).min(words.len())).nth(1)
+}
+
+/// Leaves out languages that are not there.
+fn leave_out(entries: &mut Vec<judge::Entry>, notices: &mut Vec<String>) {
     for (language, program) in [("c", "cc"), ("python", "python3")] {
         if !kept::is_there(program) && entries.iter().any(|entry| entry.language == language) {
             notices.push(format!("Left out, because there is no `{program}`: everything in {language}."));
             entries.retain(|entry| entry.language != language);
         }
     }
-    let temporary = tempfile::tempdir().map_err(|error| error.to_string())?;
-    let graded = judge::grade_all(&entries, temporary.path(), |one| {
-        if let Ok(one) = one {
-            print!("{}", table::line(one));
-        }
-    })?;
-    print!("\n{}", table::sums(&graded, &notices));
-    if let Some(path) = markdown {
-        let text = PREFACE.to_string() + &table::markdown(&graded, &notices);
-        std::fs::write(&path, text).map_err(|error| format!("{path}: {error}"))?;
-    }
-    Ok(())
+}
+
+fn write(path: &str, text: &str) -> Result<(), String> {
+    std::fs::write(path, text).map_err(|error| format!("{path}: {error}"))
+}
+
+/// Reports that were saved, held against the catalogue anew.
+fn read(path: &str, entries: &[judge::Entry]) -> Result<Vec<judge::Graded>, String> {
+    let text = std::fs::read_to_string(path).map_err(|error| format!("{path}: {error}"))?;
+    let mut reports: Vec<judge::Report> = serde_json::from_str(&text).map_err(|error| error.to_string())?;
+    let place = |report: &judge::Report| entries.iter().position(|entry| entry.key() == report.key);
+    reports.sort_by_key(place);
+    let graded = reports.into_iter().filter_map(|report| {
+        let entry = &entries[place(&report)?];
+        Some(judge::held_against(entry, report))
+    });
+    Ok(graded.collect())
 }

@@ -6,7 +6,7 @@ use farop::grade::labs::{self, Aspect};
 use farop::grade::verdict::Cause;
 use farop::grade::witness::Witness;
 use farop::grade::{Request, Subject, Verdict, grade};
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -47,12 +47,29 @@ pub enum Outcome {
     Accused,
     /// The fault was named, and nothing else.
     Named,
+    /// The fault was named, and no other; but some wrong pixels, or a complaint, were left without it.
+    NamedInPart,
     /// Another name, or one more.
     Misnamed,
     /// Wrong pixels without a name.
     Unexplained,
     /// All points.
     NotFound,
+}
+
+/// What the grader said of an entry.
+#[derive(Clone, Debug, Deserialize, Serialize)]
+pub struct Report {
+    /// Language, source, slip, lab.
+    pub key: [String; 4],
+    /// Names; complaints in words, with `~`; aspects left unexplained, with `?`.
+    pub said: Vec<String>,
+    /// All points.
+    pub passed: bool,
+    /// Polygons of the witness, and its width and height in pixels.
+    pub witness: Option<(usize, u32, u32)>,
+    /// Seconds.
+    pub seconds: f64,
 }
 
 /// A graded entry.
@@ -62,14 +79,15 @@ pub struct Graded {
     pub entry: Entry,
     /// How that went.
     pub outcome: Outcome,
-    /// What was named, complained of, or left unexplained.
-    pub said: Vec<String>,
-    /// Polygons of the witness, and its width and height in pixels.
-    pub witness: Option<(usize, u32, u32)>,
-    /// Points earned.
-    pub earned: f64,
-    /// Seconds.
-    pub seconds: f64,
+    /// In the grader's words.
+    pub report: Report,
+}
+
+impl Entry {
+    /// Language, source, slip, lab.
+    pub fn key(&self) -> [String; 4] {
+        [&self.language, &self.source, &self.slip, &self.lab].map(Clone::clone)
+    }
 }
 
 /// The entries of `bank.toml`.
@@ -81,34 +99,26 @@ pub fn catalogue() -> Result<Vec<Entry>, String> {
 }
 
 /// Grades entries, on two threads; `seen` is told of each at once, the result is in their order.
-pub fn grade_all(
-    entries: &[Entry],
-    temporary: &Path,
-    seen: impl Fn(&Result<Graded, String>) + Sync,
-) -> Result<Vec<Graded>, String> {
+pub fn grade_all(entries: &[Entry], temporary: &Path, seen: impl Fn(&Graded) + Sync) -> Result<Vec<Graded>, String> {
     let (next, results) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
     std::thread::scope(|scope| {
         for _ in 0..2 {
             scope.spawn(|| {
                 while let Some(entry) = entries.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    let graded = grade_one(entry, temporary);
-                    seen(&graded);
+                    let graded = grade_one(entry, temporary).map(|report| held_against(entry, report));
+                    graded.iter().for_each(&seen);
                     results.lock().unwrap_or_else(PoisonError::into_inner).push(graded);
                 }
             });
         }
     });
-    let mut graded = results.into_inner().unwrap_or_else(PoisonError::into_inner).into_iter().collect::<Result<Vec<_>, _>>()?;
-    let place = |graded: &Graded| entries.iter().position(|entry| is_same(entry, &graded.entry));
-    graded.sort_by_key(place);
+    let results = results.into_inner().unwrap_or_else(PoisonError::into_inner);
+    let mut graded = results.into_iter().collect::<Result<Vec<_>, _>>()?;
+    graded.sort_by_key(|one| entries.iter().position(|entry| entry.key() == one.report.key));
     Ok(graded)
 }
 
-fn is_same(one: &Entry, other: &Entry) -> bool {
-    (&one.language, &one.source, &one.slip, &one.lab) == (&other.language, &other.source, &other.slip, &other.lab)
-}
-
-fn grade_one(entry: &Entry, temporary: &Path) -> Result<Graded, String> {
+fn grade_one(entry: &Entry, temporary: &Path) -> Result<Report, String> {
     let verdict = match entry.language.as_str() {
         "rust" => {
             let none = || format!("there is no source {}", entry.source);
@@ -124,7 +134,7 @@ fn grade_one(entry: &Entry, temporary: &Path) -> Result<Graded, String> {
             verdict_of(entry, &Kept::start(&words)?)
         }
     }?;
-    Ok(held_against(entry, &verdict))
+    Ok(report(entry, &verdict))
 }
 
 /// The verdict on a subject in the entry's lab.
@@ -135,10 +145,10 @@ pub fn verdict_of(entry: &Entry, subject: &dyn Subject) -> Result<Verdict, Strin
     Ok(grade(subject, &request, &mut |_| ()))
 }
 
-fn held_against(entry: &Entry, verdict: &Verdict) -> Graded {
-    let mut said: Vec<String> =
-        verdict.faults.iter().filter(|fault| !fault.is_accepted).map(|fault| fault.name.to_string()).collect();
-    let named = said.len();
+/// What of a verdict the bank looks at.
+pub fn report(entry: &Entry, verdict: &Verdict) -> Report {
+    let charged = verdict.faults.iter().filter(|fault| !fault.is_accepted);
+    let mut said: Vec<String> = charged.map(|fault| fault.name.to_string()).collect();
     for aspect in &verdict.aspects {
         match &aspect.cause {
             Some(Cause::Other(words)) => said.push(format!("~{words}")),
@@ -150,27 +160,39 @@ fn held_against(entry: &Entry, verdict: &Verdict) -> Graded {
             _ => {}
         }
     }
-    said.dedup();
+    let (passed, witness) = (verdict.is_passed(), witness_of(verdict));
+    Report { key: entry.key(), said, passed, witness, seconds: verdict.seconds }
+}
+
+/// How a report compares with the truth.
+pub fn held_against(entry: &Entry, report: Report) -> Graded {
+    let said = &report.said;
     let is_expected = |word: &String| {
         entry.names.iter().any(|name| match name.strip_prefix('~') {
             Some(part) => word.starts_with('~') && word.contains(part),
             None => name == word,
         })
     };
+    // A complaint says what was seen, not why; but this one does say why.
+    let is_name = |word: &&String| !word.starts_with(['~', '?']) || word.contains(SLOW);
     let outcome = if entry.right {
-        if verdict.is_passed() && said.is_empty() { Outcome::Clean } else { Outcome::Accused }
+        if report.passed && said.is_empty() { Outcome::Clean } else { Outcome::Accused }
     } else if said.is_empty() {
         Outcome::NotFound
     } else if said.iter().all(is_expected) {
         Outcome::Named
-    } else if named == 0 && said.iter().all(|word| word.starts_with('?')) {
-        Outcome::Unexplained
-    } else {
+    } else if said.iter().filter(is_name).any(|word| !is_expected(word)) {
         Outcome::Misnamed
+    } else if said.iter().any(is_expected) {
+        Outcome::NamedInPart
+    } else {
+        Outcome::Unexplained
     };
-    let (witness, earned) = (witness_of(verdict), verdict.earned() / verdict.most());
-    Graded { entry: entry.clone(), outcome, said, witness, earned, seconds: verdict.seconds }
+    Graded { entry: entry.clone(), outcome, report }
 }
+
+/// In the complaint about time.
+pub const SLOW: &str = "every sample of the picture is asked";
 
 /// The witness of the first mistake.
 fn witness_of(verdict: &Verdict) -> Option<(usize, u32, u32)> {

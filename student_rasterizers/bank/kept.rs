@@ -13,6 +13,7 @@ use std::cell::RefCell;
 use std::ffi::OsString;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
 /// A running program.
@@ -95,7 +96,10 @@ pub fn is_there(program: &str) -> bool {
 
 /// Compiles a C source of the bank with a slip into `into`; the program's path.
 pub fn compile(source: &str, slip: &str, into: &Path) -> Result<PathBuf, String> {
-    build(source, slip, &into.join(format!("{source}-{slip}")), &[])
+    static NUMBER: AtomicUsize = AtomicUsize::new(0);
+    // A number, because two threads may build the same one.
+    let number = NUMBER.fetch_add(1, Ordering::Relaxed);
+    build(source, slip, &into.join(format!("{source}-{slip}-{number}")), &[])
 }
 
 /// The same as a shared library.

@@ -26,11 +26,11 @@ impl Sums {
         let is_small = |&(polygons, width, height): &(usize, u32, u32)| polygons <= 2 && width <= 16 && height <= 16;
         Sums {
             faults: count(&|one| !one.entry.right),
-            named: count(&|one| one.outcome == Outcome::Named),
+            named: count(&|one| matches!(one.outcome, Outcome::Named | Outcome::NamedInPart)),
             right: count(&|one| one.entry.right),
             accused: count(&|one| one.outcome == Outcome::Accused),
-            witnesses: count(&|one| !one.entry.right && one.witness.is_some()),
-            small: count(&|one| !one.entry.right && one.witness.as_ref().is_some_and(is_small)),
+            witnesses: count(&|one| !one.entry.right && one.report.witness.is_some()),
+            small: count(&|one| !one.entry.right && one.report.witness.as_ref().is_some_and(is_small)),
         }
     }
 
@@ -45,31 +45,40 @@ fn word(outcome: Outcome) -> &'static str {
         Outcome::Clean => "clean",
         Outcome::Accused => "ACCUSED",
         Outcome::Named => "named",
+        Outcome::NamedInPart => "named, a rest",
         Outcome::Misnamed => "misnamed",
         Outcome::Unexplained => "unexplained",
         Outcome::NotFound => "not found",
     }
 }
 
+/// Names and words; of what is unexplained, the first.
+fn shortened(said: &[String]) -> String {
+    let rest = said.iter().filter(|word| word.starts_with('?')).count();
+    let first = said.iter().find(|word| word.starts_with('?'));
+    let words = said.iter().filter(|word| !word.starts_with('?')).chain(first);
+    let text = words.map(|word| word.replace(['\n', '|'], " ")).collect::<Vec<_>>().join("; ");
+    if rest > 1 { format!("{text}; and {} more aspects", rest - 1) } else { text }
+}
+
 /// The table in Markdown, and the sums below it.
 pub fn markdown(graded: &[Graded], notices: &[String]) -> String {
     let mut text = String::from(
-        "| source | slip | lab | what is wrong | the grader | verdict | witness | points |\n|---|---|---|---|---|---|---|---|\n",
+        "| source | slip | lab | what is wrong | the grader | verdict | witness |\n|---|---|---|---|---|---|---|\n",
     );
     for one in graded {
-        let witness = one.witness.map_or(String::new(), |(n, w, h)| format!("{n} on {w} x {h}"));
+        let witness = one.report.witness.map_or(String::new(), |(n, w, h)| format!("{n} on {w} x {h}"));
         let entry = &one.entry;
         let _ = writeln!(
             text,
-            "| {} {} | `{}` | {} | {} | {} | {} | {witness} | {:.0} % |",
+            "| {} {} | `{}` | {} | {} | {} | {} | {witness} |",
             entry.language,
             entry.source,
             entry.slip,
             entry.lab,
             entry.truth,
-            one.said.join("; ").replace(['\n', '|'], " "),
+            shortened(&one.report.said),
             word(one.outcome),
-            100.0 * one.earned,
         );
     }
     text + "\n" + &sums(graded, notices)
@@ -78,15 +87,15 @@ pub fn markdown(graded: &[Graded], notices: &[String]) -> String {
 /// A line for the terminal.
 pub fn line(one: &Graded) -> String {
     let entry = &one.entry;
-    let witness = one.witness.map_or(String::from("-"), |(n, w, h)| format!("{n} on {w}x{h}"));
+    let witness = one.report.witness.map_or(String::from("-"), |(n, w, h)| format!("{n} on {w}x{h}"));
     let name = format!("{} {}", entry.source, entry.slip);
     format!(
-        "{:6} {name:34} {:13} {:11} {witness:11} {:5.1} s  {}\n",
+        "{:6} {name:34} {:13} {:13} {witness:11} {:5.1} s  {}\n",
         entry.language,
         entry.lab,
         word(one.outcome),
-        one.seconds,
-        one.said.join("; ")
+        one.report.seconds,
+        one.report.said.join("; ")
     )
 }
 
@@ -97,10 +106,11 @@ pub fn sums(graded: &[Graded], notices: &[String]) -> String {
     let mut text = notices.iter().fold(String::new(), |text, notice| text + notice + "\n");
     let _ = writeln!(
         text,
-        "{} faults: {} named right ({:.1} %), {} misnamed, {} unexplained, {} not found.",
+        "{} faults: {} named right ({:.1} %; {} of them with a rest), {} misnamed, {} unexplained, {} not found.",
         sums.faults,
         sums.named,
         100.0 * sums.share_named(),
+        count(Outcome::NamedInPart),
         count(Outcome::Misnamed),
         count(Outcome::Unexplained),
         count(Outcome::NotFound)

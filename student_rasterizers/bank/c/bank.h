@@ -10,7 +10,7 @@
 
 typedef struct { double a, b, c, low, high; int constant; } plane;
 typedef struct { double x, y, inverse_w, w, value[6]; } corner;
-typedef struct { int first, count, surface; plane planes[7]; } polygon;
+typedef struct { int first, count, surface; double opacity[3]; plane planes[7]; } polygon;
 typedef struct { double ambient[3], diffuse[3], ks, power; } surface;
 typedef struct { double place[3], color[3]; } lamp;
 typedef struct {
@@ -66,6 +66,41 @@ static inline void put(const scene *s, const polygon *g, int x, int y, double *r
     for (int c = 0; c < 3; c++) at[c] = value_at(g, c, x, y);
 }
 
+/* Glass is kept apart until everything opaque is there. */
+typedef struct { int at, order; double depth, color[3], opacity[3]; } layer;
+static layer *layers;
+static int layer_count, layer_room;
+
+static int nearer_last(const void *a, const void *b) {
+    const layer *p = a, *q = b;
+    if (p->at != q->at) return p->at < q->at ? -1 : 1;
+    if (p->depth != q->depth) return p->depth < q->depth ? -1 : 1;
+    return q->order - p->order;
+}
+
+/* Whether polygon g is glass; then its sample is kept for later. */
+static inline int is_glass(const scene *s, const polygon *g, int x, int y, double depth) {
+#ifdef SLIP_glass_ignored
+    return 0;
+#endif
+    if (g->opacity[0] == 1 && g->opacity[1] == 1 && g->opacity[2] == 1) return 0;
+    if (layer_count == layer_room) layers = realloc(layers, (layer_room = 2 * layer_room + 64) * sizeof *layers);
+    layer *l = &layers[layer_count++];
+    l->at = y * s->width + x, l->order = (int)(g - s->polygons), l->depth = depth;
+    for (int c = 0; c < 3; c++) l->color[c] = value_at(g, c, x, y), l->opacity[c] = g->opacity[c];
+    return 1;
+}
+
+static inline void lay_glass(const double *depths, double *rgb) {
+    qsort(layers, layer_count, sizeof *layers, nearer_last);
+    for (int n = 0; n < layer_count; n++) {
+        layer *l = &layers[n];
+        for (int c = 0; c < 3 && l->depth > depths[l->at]; c++)
+            rgb[3 * l->at + c] = rgb[3 * l->at + c] * (1 - l->opacity[c]) + l->color[c] * l->opacity[c];
+    }
+    layer_count = 0;
+}
+
 #ifdef LIBRARY
 void farop_draw(const farop_list *list, farop_target *target) {
     scene s = {0};
@@ -82,6 +117,7 @@ void farop_draw(const farop_list *list, farop_target *target) {
     for (int i = 0; i < s.polygon_count; i++) {
         const farop_polygon *from = &list->polygons[i];
         s.polygons[i].first = from->first_vertex, s.polygons[i].count = from->vertex_count;
+        for (int c = 0; c < 3; c++) s.polygons[i].opacity[c] = from->opacity[c];
         for (unsigned k = 0; k < list->planes_each && k < 7; k++) {
             const farop_plane *p = &list->planes[from->first_plane + k];
             plane own = {p->a, p->b, p->c, p->low, p->high, p->rule == FAROP_CONSTANT};
@@ -135,7 +171,8 @@ static int read_scene(scene *s) {
         }
         if (!strcmp(word, "polygon")) {
             polygon *g = &s->polygons[s->polygon_count++];
-            sscanf(rest, "%*d %d %d", &g->count, &g->surface);
+            double *o = g->opacity;
+            sscanf(rest, "%*d %d %d %lf %lf %lf", &g->count, &g->surface, o, o + 1, o + 2);
             g->first = s->corner_count;
             plane_number = 0;
         }

@@ -30,8 +30,10 @@ static void turn_over(const scene *s, const corner *a, const corner *b, const co
         long long t = x[1];
         x[1] = x[2], x[2] = t, t = y[1], y[1] = y[2], y[2] = t;
     }
-    for (int py = 0; py < s->height; py++)
-        for (int px = 0; px < s->width; px++) {
+    double left = fmin(fmin(a->x, b->x), c->x), right = fmax(fmax(a->x, b->x), c->x);
+    double top = fmin(fmin(a->y, b->y), c->y), bottom = fmax(fmax(a->y, b->y), c->y);
+    for (int py = (int)top; py < s->height && py <= bottom; py++)
+        for (int px = (int)left; px < s->width && px <= right; px++) {
             long long cx = px * 512 + 256, cy = py * 512 + 256;
             int in = 1;
             for (int k = 0; k < 3; k++) in = in && inside(x[k], y[k], x[(k + 1) % 3], y[(k + 1) % 3], cx, cy);
@@ -53,9 +55,11 @@ static void draw(const scene *s, double *rgb) {
     for (int n = 0; n < s->polygon_count; n++) {
         const polygon *g = &s->polygons[n];
         const corner *c = &s->corners[g->first];
-#ifndef SLIP_stencil_not_cleared
-        memset(stencil, 0, samples);
-#endif
+        double left = s->width, right = 0, top = s->height, bottom = 0;
+        for (int k = 0; k < g->count; k++) {
+            left = fmin(left, c[k].x), right = fmax(right, c[k].x);
+            top = fmin(top, c[k].y), bottom = fmax(bottom, c[k].y);
+        }
 #ifdef SLIP_fan_ends_early
         for (int k = 1; k + 2 < g->count; k++) turn_over(s, c, c + k, c + k + 1, stencil);
 #elif defined SLIP_first_triangle_only
@@ -65,8 +69,8 @@ static void draw(const scene *s, double *rgb) {
 #else
         for (int k = 1; k + 1 < g->count; k++) turn_over(s, c, c + k, c + k + 1, stencil);
 #endif
-        for (int y = 0; y < s->height; y++)
-            for (int x = 0; x < s->width; x++) {
+        for (int y = (int)top; y < s->height && y <= bottom; y++)
+            for (int x = (int)left; x < s->width && x <= right; x++) {
                 int at = y * s->width + x;
                 double d = depth_at(g, x, y);
 #ifdef SLIP_depth_as_int
@@ -75,10 +79,15 @@ static void draw(const scene *s, double *rgb) {
 #ifdef SLIP_depth_of_middle
                 d = depth_at(g, s->width / 2, s->height / 2);
 #endif
+                int in = stencil[at];
+#ifndef SLIP_stencil_not_cleared
+                stencil[at] = 0;
+#endif
+                if (!in || is_glass(s, g, x, y, d)) continue;
 #ifdef SLIP_farther_hides
-                if (!stencil[at] || (depths[at] != 0 && d >= depths[at])) continue;
+                if (depths[at] != 0 && d >= depths[at]) continue;
 #else
-                if (!stencil[at] || d <= depths[at]) continue;
+                if (d <= depths[at]) continue;
 #endif
 #ifndef SLIP_depth_kept_only_once
                 depths[at] = d;
@@ -88,5 +97,6 @@ static void draw(const scene *s, double *rgb) {
                 put(s, g, x, y, rgb);
             }
     }
+    lay_glass(depths, rgb);
     free(depths), free(stencil);
 }

@@ -63,7 +63,7 @@ static void fill(const scene *s, const polygon *g, const side *l, const side *r,
             double first = depth_at(g, from, y);
             d = first + (x - from) * (float)((int)(g->planes[0].a * 256) / 256.0);
 #endif
-            if (d <= *kept) continue;
+            if (is_glass(s, g, x, y, d) || d <= *kept) continue;
             *kept = d;
             put(s, g, x, y, rgb);
         }
@@ -109,5 +109,6 @@ static void draw(const scene *s, double *rgb) {
             for (int i = 0; i + 1 < count; i += 2) fill(s, g, &sides[i], &sides[i + 1], top, bottom, rgb, depths);
         }
     }
+    lay_glass(depths, rgb);
     free(depths);
 }

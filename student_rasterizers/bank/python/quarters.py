@@ -50,9 +50,13 @@ def fill(polygon, put, x, y, width, height):
 def draw(scene):
     rows = [[scene.background] * scene.width for _ in range(scene.height)]
     depths = [[0.0] * scene.width for _ in range(scene.height)]
-    for polygon in scene.polygons:
+    panes = []
+    for number, polygon in enumerate(scene.polygons):
         def put(x, y):
             depth = polygon.depth(x, y)
+            if polygon.is_glass:
+                panes.append((depth, -number, x, y))
+                return
             if SLIP == "depth_rounded":
                 depth = round(depth, 1)
             if SLIP == "depth_on_the_row_only":
@@ -63,6 +67,10 @@ def draw(scene):
                 depths[y][x] = depth
                 rows[y][x] = polygon.color(x, y)
         fill(polygon, put, 0, 0, scene.width, scene.height)
+    # Glass after everything opaque, from far to near.
+    for depth, number, x, y in sorted(panes):
+        if depth > depths[y][x]:
+            rows[y][x] = scene.polygons[-number].over(x, y, rows[y][x])
     return rows
 
 

@@ -20,6 +20,8 @@ class Plane:
 
 class Polygon:
     def __init__(self, words):
+        self.opacity = [float(word) for word in words[4:7]]
+        self.is_glass = self.opacity != [1, 1, 1]
         self.surface, self.planes, self.corners, self.values, self.w = int(words[3]), [], [], [], []
 
     def depth(self, x, y):
@@ -33,6 +35,10 @@ class Polygon:
 
     def color(self, x, y):
         return [self.value(number, x, y) for number in range(3)]
+
+    def over(self, x, y, behind):
+        """Its color at a sample, with what is behind."""
+        return [o * c + (1 - o) * b for o, c, b in zip(self.opacity, self.color(x, y), behind)]
 
 
 class Scene:

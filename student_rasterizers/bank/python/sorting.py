@@ -16,13 +16,32 @@ def key(polygon, x, y):
     return -polygon.depth(x, y)
 
 
+def shown(covering, x, y, background):
+    """The nearest; and through glass what is behind."""
+    if not covering:
+        return background
+    if covering[0].is_glass:
+        return covering[0].over(x, y, shown(covering[1:], x, y, background))
+    return covering[0].color(x, y)
+
+
 def draw(scene):
     rows = []
+    boxes = []
+    for polygon in scene.polygons:
+        xs, ys = zip(*polygon.corners)
+        boxes.append((polygon, min(xs), max(xs), min(ys), max(ys)))
     for y in range(scene.height):
         row = []
+        near = [(polygon, left, right) for polygon, left, right, top, bottom in boxes if top <= y + 0.5 <= bottom]
+        if not near:
+            rows.insert(0 if SLIP == "rows_put_in_front" else y, [scene.background] * scene.width)
+            continue
         for x in range(scene.width):
             at = (x + 0.5, y + 0.5)
-            covering = [polygon for polygon in scene.polygons if odd(polygon.corners, *at)]
+            covering = [
+                polygon for polygon, left, right in near if left <= at[0] <= right and odd(polygon.corners, *at)
+            ]
             if SLIP == "never_more_than_two":
                 covering = covering[:2]
             if SLIP == "list_turned_round":
@@ -32,7 +51,7 @@ def draw(scene):
                 covering.reverse()
             if SLIP == "second_nearest":
                 covering = covering[1:] or covering
-            row.append(covering[0].color(x, y) if covering else scene.background)
+            row.append(shown(covering, x, y, scene.background))
         if SLIP == "rows_put_in_front":
             rows.insert(0, row)
         else:

@@ -2,6 +2,7 @@
 //! segments overlap, a span is halved until its two ends agree. Every sample is put once.
 
 use super::Slip;
+use farop::color::Rgb;
 use farop::raster::{Rasterizer, Target};
 use farop::screen::{DrawList, ScreenPolygon};
 
@@ -195,8 +196,13 @@ impl Spans {
         if self.slip.is("last_span_lost") {
             pairs.pop();
         }
+        // Glass does not compete: the target keeps it apart.
+        let is_glass = |p: usize| scene.list.shader.opacity(&scene.polygons[p]) != Rgb::gray(1.0);
+        for segment in segments.iter().filter(|segment| is_glass(segment.polygon)) {
+            (segment.first..segment.end).for_each(|x| scene.put(target, segment.polygon, (x, y)));
+        }
         for (first, end) in pairs {
-            let covers = |segment: &&Segment| segment.first <= first && first < segment.end;
+            let covers = |segment: &&Segment| segment.first <= first && first < segment.end && !is_glass(segment.polygon);
             let among: Vec<usize> = segments.iter().filter(covers).map(|segment| segment.polygon).collect();
             let last = if self.slip.is("span_one_short") { end - 2 } else { end - 1 };
             if !among.is_empty() && first <= last {
