@@ -216,5 +216,6 @@ fn witness_of(verdict: &Verdict) -> Option<(usize, u32, u32)> {
     let charged = verdict.faults.iter().filter(|fault| !fault.is_accepted).map(|fault| fault.aspect);
     let own = charged.filter_map(|aspect| verdict.aspects.get(aspect)?.witness.as_ref()).next();
     let any = || verdict.aspects.iter().find_map(|aspect| aspect.witness.as_ref());
-    own.or_else(any).map(|Witness { case, .. }| (case.faces.len(), case.width / case.samples, case.height / case.samples))
+    own.or_else(any)
+        .map(|Witness { case, .. }| (case.faces.len(), case.width / case.samples, case.height / case.samples))
 }

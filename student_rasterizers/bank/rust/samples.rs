@@ -34,9 +34,7 @@ impl Samples {
             "all_at_the_pixels_center" => f64::from(s / a * a) + f64::from(a) / 2.0,
             "all_at_the_pixels_corner" => f64::from(s / a * a),
             "samples_at_corners" => f64::from(s),
-            "spread_over_half_a_pixel" => {
-                f64::from(s / a * a) + f64::from(a) / 4.0 + (f64::from(s % a) + 0.5) / 2.0
-            }
+            "spread_over_half_a_pixel" => f64::from(s / a * a) + f64::from(a) / 4.0 + (f64::from(s % a) + 0.5) / 2.0,
             _ => f64::from(s) + 0.5,
         };
         (middle(x), middle(y))
@@ -127,8 +125,7 @@ impl Samples {
                     "mean_of_squares" => light * light,
                     _ => light,
                 };
-                let mut mean =
-                    [0, 1, 2].map(|c| block.iter().map(|&at| level(light[at][c])).sum::<f32>() / divisor);
+                let mut mean = [0, 1, 2].map(|c| block.iter().map(|&at| level(light[at][c])).sum::<f32>() / divisor);
                 if self.slip.is("mean_of_squares") {
                     mean = mean.map(f32::sqrt);
                 }

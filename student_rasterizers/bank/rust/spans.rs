@@ -38,11 +38,8 @@ fn ceil(numerator: i64, divisor: i64) -> i64 {
 /// The edges of a polygon, as they are on their first line. Level ones have none.
 fn edges_of(polygon: &ScreenPolygon<'_>, number: usize) -> Vec<Active> {
     let half = polygon.grid().steps();
-    let at: Vec<(i64, i64)> = polygon
-        .vertices()
-        .iter()
-        .map(|v| (polygon.grid().fixed(v.x) * 2, polygon.grid().fixed(v.y) * 2))
-        .collect();
+    let at: Vec<(i64, i64)> =
+        polygon.vertices().iter().map(|v| (polygon.grid().fixed(v.x) * 2, polygon.grid().fixed(v.y) * 2)).collect();
     let mut edges = Vec::new();
     for (n, &a) in at.iter().enumerate() {
         let b = at[(n + 1) % at.len()];
@@ -202,7 +199,8 @@ impl Spans {
             (segment.first..segment.end).for_each(|x| scene.put(target, segment.polygon, (x, y)));
         }
         for (first, end) in pairs {
-            let covers = |segment: &&Segment| segment.first <= first && first < segment.end && !is_glass(segment.polygon);
+            let covers =
+                |segment: &&Segment| segment.first <= first && first < segment.end && !is_glass(segment.polygon);
             let among: Vec<usize> = segments.iter().filter(covers).map(|segment| segment.polygon).collect();
             let last = if self.slip.is("span_one_short") { end - 2 } else { end - 1 };
             if !among.is_empty() && first <= last {
