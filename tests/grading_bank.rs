@@ -7,8 +7,9 @@ use bank::{kept, table};
 #[allow(dead_code, reason = "the table is the example's")]
 mod bank;
 
-/// Faults named right among those tested, at least: what was reached, so that it does not get worse.
-const NAMED: f64 = 0.40;
+/// Faults named right among those tested, at least. A regression bound: 11 of these 21 were, and 38 % of the whole bank
+/// (docs/grading-bank.md). The goal is 0.95.
+const NAMED: f64 = 0.52;
 
 fn graded(entries: &[Entry]) -> Vec<judge::Graded> {
     let temporary = tempfile::tempdir().expect("a temporary folder");
@@ -41,11 +42,11 @@ fn right_rasterizers_are_accused_of_nothing() {
 
 #[test]
 fn faults_are_named_as_often_as_they_were() {
-    // Every fifth of those in this process. What only a clock can tell is left to the table.
+    // Every seventh of those in this process. What only a clock can tell is left to the table.
     let is_timed = |entry: &Entry| entry.names.iter().any(|name| name.contains("every sample of the picture"));
     let faults = entries(|entry| !entry.right && entry.language == "rust" && !is_timed(entry));
-    let some: Vec<Entry> = faults.into_iter().step_by(5).collect();
-    assert!(some.len() >= 25);
+    let some: Vec<Entry> = faults.into_iter().step_by(7).collect();
+    assert!(some.len() >= 20);
     let graded = graded(&some);
     let lines: String = graded.iter().map(table::line).collect();
     let (named, faults) = (table::Sums::of(&graded).share_named(), graded.len());

@@ -91,7 +91,7 @@ impl Lamp {
                 shine = n.dot(h / h.length()).max(0.0);
             }
             let power = if self.slip.is("power_forgotten") { 1.0 } else { surface.shine };
-            if !self.slip.is("no_highlight") && !(can_be_dark && cosine <= 0.0) {
+            if !(self.slip.is("no_highlight") || can_be_dark && cosine <= 0.0) {
                 let tint = if self.slip.is("highlight_tinted") { color(surface.diffuse) } else { Vec3::ONE };
                 sum += color(lamp.color) * tint * surface.specular * shine.powf(power);
             }
