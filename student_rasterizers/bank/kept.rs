@@ -18,18 +18,24 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// A running program.
 pub struct Kept {
+    words: Vec<OsString>,
     child: RefCell<Child>,
-    pipes: RefCell<(ChildStdin, BufReader<ChildStdout>)>,
+    pipes: RefCell<Pipes>,
 }
 
 impl Kept {
     /// Starts a command.
     pub fn start(words: &[OsString]) -> Result<Kept, String> {
-        let (program, arguments) = words.split_first().ok_or("an empty command")?;
-        let started = Command::new(program).args(arguments).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn();
-        let mut child = started.map_err(|error| format!("{}: {error}", program.display()))?;
-        let (input, output) = (child.stdin.take().ok_or("no input")?, child.stdout.take().ok_or("no output")?);
-        Ok(Kept { child: RefCell::new(child), pipes: RefCell::new((input, BufReader::new(output))) })
+        let (child, pipes) = spawn(words)?;
+        Ok(Kept { words: words.to_vec(), child: RefCell::new(child), pipes: RefCell::new(pipes) })
+    }
+
+    /// Starts it again: one picture that it crashed over must not spoil the next.
+    fn start_again(&self) {
+        if let Ok((child, pipes)) = spawn(&self.words) {
+            *self.pipes.borrow_mut() = pipes;
+            let _ = self.child.replace(child).wait();
+        }
     }
 
     fn ask(&self, text: &[u8]) -> std::io::Result<Vec<u8>> {
@@ -50,6 +56,16 @@ impl Kept {
     }
 }
 
+type Pipes = (ChildStdin, BufReader<ChildStdout>);
+
+fn spawn(words: &[OsString]) -> Result<(Child, Pipes), String> {
+    let (program, arguments) = words.split_first().ok_or("an empty command")?;
+    let started = Command::new(program).args(arguments).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn();
+    let mut child = started.map_err(|error| format!("{}: {error}", program.display()))?;
+    let (input, output) = (child.stdin.take().ok_or("no input")?, child.stdout.take().ok_or("no output")?);
+    Ok((child, (input, BufReader::new(output))))
+}
+
 impl Drop for Kept {
     fn drop(&mut self) {
         let child = &mut *self.child.borrow_mut();
@@ -64,7 +80,11 @@ impl Subject for Kept {
         let mut text = Vec::new();
         let sheet = Sheet { encoding: Encoding::Linear, ..*sheet };
         write_v2(list, &sheet, Attributes::default(), &mut text).map_err(|error| failure(error.to_string()))?;
-        let ppm = self.ask(&text).map_err(|error| failure(format!("the program: {error}")))?;
+        let answer = self.ask(&text);
+        if answer.is_err() {
+            self.start_again();
+        }
+        let ppm = answer.map_err(|error| failure(format!("the program: {error}")))?;
         let picture = decode(&ppm).map_err(|error| failure(error.to_string()))?;
         let is_samples = sheet.samples > 1 && picture.width() == list.width as usize;
         let picture = if is_samples { mean(&picture, sheet.samples as usize) } else { Ok(picture) };
