@@ -89,7 +89,7 @@ pub fn segments(shape: &Shape, eye_from_local: &Affine3, lens: &Lens, tolerance:
         Shape::Ellipsoid { radii } => both(sphere_segments(ellipsoid(Vec3::ZERO, radii), tolerance)),
         Shape::Cone { base, base_radius, apex, apex_radius } => {
             let cone = Cone { base, base_radius, apex, apex_radius };
-            let tolerance = tolerance * hole::sharpness(&cone, eye_from_local, lens.hither);
+            let tolerance = tolerance * hole_sharpness(shape, eye_from_local, lens);
             both(circle_segments(cone_radius(&cone, eye_from_local, lens), tolerance))
         }
         Shape::CappedCone { bottom_radius, top_radius, length } => {
@@ -103,6 +103,14 @@ pub fn segments(shape: &Shape, eye_from_local: &Affine3, lens: &Lens, tolerance:
         Shape::Curves(ref net) => seen.curves(net),
         Shape::Teapot(part) => seen.teapot(super::teapot::parts(part)),
     }
+}
+
+/// The sine of half the sharpest corner of the hole that a cone seen through its open ends shows; 1 for whatever has none.
+/// By this factor the outlines of its ends are finer than the tolerance asks.
+#[must_use]
+pub fn hole_sharpness(shape: &Shape, eye_from_local: &Affine3, lens: &Lens) -> f64 {
+    let Shape::Cone { base, base_radius, apex, apex_radius } = *shape else { return 1.0 };
+    hole::sharpness(&Cone { base, base_radius, apex, apex_radius }, eye_from_local, lens.hither)
 }
 
 /// The radius in pixels of the larger end.

@@ -2,6 +2,7 @@
 //!
 //! random sphere, ellipsoid or cone -> polygons as the pipeline makes them; [`crate::oracle::ray`] -> the true outline -> largest distance
 //!
+//! A cone that is seen through has a hole with corners; the bound for those counts on the worst turn, and is reported apart.
 //! Fewer would have done where n / 1.15 segments hold the tolerance, too, however the shape is turned: it is turned about until an outline
 //! errs by more. The ends of a cone are held to it, too, where the outline hides them: they are seen from inside. Shapes that need fewer than eight segments step too coarsely for such a ratio and are only reported.
 //! Patches and tori have no equation in the oracle: for them the number of segments comes from bounds, proven in `model::segments`.
@@ -12,10 +13,11 @@
 use super::random_scenes::of_shape;
 use super::{Effort, Random, Report};
 use crate::math::{Affine3, Mat3, PI, Vec3, cos, sin, unit};
+use crate::model::segments::{Lens, hole_sharpness};
 use crate::oracle::Vertices;
 use crate::oracle::ray::Tracer;
 use crate::oracle::ray::silhouette::{Deviation, Polygons, deviation, traced};
-use crate::plan::{Choices, Culling};
+use crate::plan::{Accepts, Choices, Culling, Plan};
 use crate::render::render;
 use crate::scene::{Scene, Shape};
 
@@ -118,6 +120,15 @@ impl Posed {
         })
     }
 
+    /// Whether the eye looks through it, and the hole has corners.
+    fn has_cornered_hole(&self) -> bool {
+        let scene = self.scene(Mat3::IDENTITY, None);
+        let Ok(plan) = Plan::new(&scene, &Choices::default(), Accepts::AnyPolygon) else { return false };
+        let lens = Lens { pixels_per_unit_tangent: plan.view.scale, hither: plan.view.hither, corner_cosine: 0.0 };
+        let eye_from_local = plan.view.eye_from_world_affine() * scene.objects[0].parent_from_local;
+        hole_sharpness(&self.shape, &eye_from_local, &lens) < 1.0
+    }
+
     /// The discs at the ends of a cone.
     fn ends(&self) -> Vec<Posed> {
         let Shape::Cone { base, base_radius, apex, apex_radius } = self.shape else { return Vec::new() };
@@ -161,6 +172,8 @@ struct Sum {
     counted: u64,
     wasteful: u64,
     wasteful_few: u64,
+    seen_through: u64,
+    wasteful_through: u64,
 }
 
 impl Sum {
@@ -182,11 +195,15 @@ impl Sum {
         }
         let segments = posed.segments(polygons);
         let fewer = fewer(segments, matches!(posed.shape, Shape::Sphere { .. }));
+        let seen_through = posed.has_cornered_hole();
         if segments >= COUNTED {
-            self.counted += 1;
+            self.counted += u64::from(!seen_through);
+            self.seen_through += u64::from(seen_through);
         }
         if fewer >= 3 && posed.holds(fewer, tolerance, random) {
-            if segments >= COUNTED {
+            if seen_through {
+                self.wasteful_through += 1;
+            } else if segments >= COUNTED {
                 self.wasteful += 1;
                 report.miss(format!("{:?}: {fewer} segments hold {tolerance}, too, not only {segments}", posed.shape));
             } else {
@@ -205,6 +222,10 @@ impl Sum {
             report.none(format!("of them with more than {WASTE} times the fewest segments, {of}"), self.wasteful);
         }
         report.count(format!("wasteful ones of fewer segments, {of}"), self.wasteful_few);
+        if self.seen_through > 0 {
+            report.count(format!("seen through, with corners, {of}"), self.seen_through);
+            report.count(format!("wasteful ones of these, {of}"), self.wasteful_through);
+        }
     }
 }
 
