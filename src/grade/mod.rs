@@ -15,6 +15,7 @@ mod cases;
 mod covered;
 mod diagnose;
 pub mod folder;
+pub mod functions;
 pub mod labs;
 mod lighting;
 mod lines;
