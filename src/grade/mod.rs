@@ -16,6 +16,7 @@ mod covered;
 mod diagnose;
 pub mod folder;
 pub mod functions;
+pub mod handout;
 pub mod labs;
 mod lighting;
 mod lines;

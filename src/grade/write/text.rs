@@ -24,6 +24,10 @@ pub fn text(verdict: &Verdict) -> String {
     for note in &verdict.notes {
         let _ = writeln!(text, "note: {note}");
     }
+    if verdict.is_whole && !verdict.is_passed() {
+        let lab = verdict.lab;
+        let _ = writeln!(text, "what is asked: docs/labs/{lab}.md   a hint: farop grade {lab} --hint 1, then 2 and 3");
+    }
     let _ = writeln!(text, "{:.2} s", verdict.seconds);
     text
 }
