@@ -37,9 +37,13 @@ fn handouts_tell_the_aspects_and_points_that_are_graded() {
     for lab in labs() {
         let text = handout(lab.name).expect("a handout");
         let table = text.split("\n## Graded\n").nth(1).and_then(|rest| rest.split("\n## ").next()).expect("a table");
-        let rows: Vec<String> = table.lines().filter(|line| line.starts_with("| ")).skip(1).map(str::to_string).collect();
-        let mut right: Vec<String> =
-            lab.aspects.iter().map(|aspect| format!("| {} | {} | {} |", aspect.name, aspect.points, aspect.asks)).collect();
+        let rows: Vec<String> =
+            table.lines().filter(|line| line.starts_with("| ")).skip(1).map(str::to_string).collect();
+        let mut right: Vec<String> = lab
+            .aspects
+            .iter()
+            .map(|aspect| format!("| {} | {} | {} |", aspect.name, aspect.points, aspect.asks))
+            .collect();
         right.push(format!("| in all | {} | |", lab.aspects.iter().map(|aspect| aspect.points).sum::<u32>()));
         assert_eq!(rows, right, "docs/labs/{}.md", lab.name);
     }

@@ -124,7 +124,12 @@ impl GradeCommand {
     }
 
     /// Grades a clip or a triangulation.
-    fn judge_function(&self, name: &str, (lab, rubric): (&Lab, &Rubric), registry: &Registry) -> Result<Verdict, CliError> {
+    fn judge_function(
+        &self,
+        name: &str,
+        (lab, rubric): (&Lab, &Rubric),
+        registry: &Registry,
+    ) -> Result<Verdict, CliError> {
         let points = |aspect: &grade::labs::Aspect| rubric.points(aspect);
         let request = Request { lab, name: name.to_string(), seed: self.seed, points: &points };
         let mut trouble = None;

@@ -200,7 +200,12 @@ pub fn grade(subject: &dyn Subject, request: &Request<'_>, progress: &mut dyn Fn
     let mut verdict = Verdict {
         lab: request.lab.name,
         subject: request.name.clone(),
-        aspects: request.lab.aspects.iter().map(|aspect| AspectVerdict::blank(aspect, (request.points)(aspect))).collect(),
+        aspects: request
+            .lab
+            .aspects
+            .iter()
+            .map(|aspect| AspectVerdict::blank(aspect, (request.points)(aspect)))
+            .collect(),
         ..Verdict::default()
     };
     for (index, aspect) in request.lab.aspects.iter().enumerate() {

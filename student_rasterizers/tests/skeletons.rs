@@ -38,9 +38,10 @@ fn each_skeleton_draws_something_and_is_found_wanting() {
         assert!(!verdict.is_passed() && verdict.earned() < 0.85 * verdict.most(), "{text}");
         let mut shots = verdict.aspects.iter().flat_map(|aspect| &aspect.shots);
         assert!(shots.all(|shot| shot.answer.is_ok()), "{text}");
-        let puts = |shot: &farop::grade::verdict::Shot| shot.answer.as_ref().ok().and_then(|answer| answer.puts);
+        let puts =
+            |shot: &farop::grade::verdict::Shot| shot.answer.as_ref().ok().and_then(|answer| answer.puts.clone());
         let first = &verdict.aspects[0].shots[0];
-        assert!(puts(first).is_some_and(|puts| puts.fragments > 0 && puts.stray_writes == 0), "{text}");
+        assert!(puts(first).is_some_and(|puts| puts.puts > 0 && puts.stray_writes == 0), "{text}");
     }
     for (lab, cause) in FUNCTION_LABS.iter().zip(["nothing is cut", "one triangle only"]) {
         let verdict = graded(lab, &skeleton(lab.name), &registry);

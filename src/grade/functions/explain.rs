@@ -10,7 +10,15 @@ use crate::grade::rules::Rules;
 use crate::grade::verdict::{Cause, Verdict};
 
 /// Fills in causes, witnesses and points.
-pub(super) fn explain<E: Exercise>(exercise: &E, asked: &[Vec<Asked<E>>], verdict: &mut Verdict) {
+pub(super) fn explain<E: Exercise>(exercise: &E, asked: &mut [Vec<Asked<E>>], verdict: &mut Verdict) {
+    if asked.iter().flatten().all(|asked| asked.complaint.is_none()) {
+        return;
+    }
+    let count = exercise.mistakes().len();
+    for asked in asked.iter_mut().flatten() {
+        asked.fits = fits(exercise, count, asked);
+    }
+    let asked = &*asked;
     let mut search = Search { exercise, asked, named: Vec::new() };
     if let Some(mistake) = search.behind_everything()
         && let Some(first) = asked.iter().position(|cases| cases.iter().any(|asked| asked.complaint.is_some()))
@@ -22,6 +30,12 @@ pub(super) fn explain<E: Exercise>(exercise: &E, asked: &[Vec<Asked<E>>], verdic
     }
 }
 
+/// Which mistakes give an answer.
+fn fits<E: Exercise>(exercise: &E, count: usize, asked: &Asked<E>) -> Vec<bool> {
+    let is_right = asked.complaint.is_none();
+    (0..count).map(|mistake| exercise.fits(mistake, &asked.case, &asked.answer, is_right)).collect()
+}
+
 struct Search<'a, E: Exercise> {
     exercise: &'a E,
     asked: &'a [Vec<Asked<E>>],
@@ -31,7 +45,7 @@ struct Search<'a, E: Exercise> {
 
 impl<E: Exercise> Search<'_, E> {
     fn fits(&self, mistake: usize, asked: &Asked<E>) -> bool {
-        self.exercise.fits(mistake, &asked.case, &asked.answer, asked.complaint.is_none())
+        asked.fits[mistake]
     }
 
     /// Of some questions: wrong answers that a mistake gives, and all answers that it does not give.
@@ -51,10 +65,9 @@ impl<E: Exercise> Search<'_, E> {
 
     /// The one mistake that gives every answer there is.
     fn behind_everything(&self) -> Option<usize> {
-        if self.all().all(|asked| asked.complaint.is_none()) {
-            return None;
-        }
-        self.only((0..self.exercise.mistakes().len()).filter(|&mistake| self.score(mistake, self.all()).1 == 0).collect())
+        self.only(
+            (0..self.exercise.mistakes().len()).filter(|&mistake| self.score(mistake, self.all()).1 == 0).collect(),
+        )
     }
 
     /// The only one of these, or the one that explains the most of everything.
@@ -99,14 +112,14 @@ impl<E: Exercise> Search<'_, E> {
         if wrong.is_empty() {
             return;
         }
-        let is_known = |search: &Self, asked: &Asked<E>| search.named.iter().any(|&(known, ..)| search.fits(known, asked));
+        let is_known =
+            |search: &Self, asked: &Asked<E>| search.named.iter().any(|&(known, ..)| search.fits(known, asked));
         let rest: Vec<&Asked<E>> = wrong.iter().filter(|asked| !is_known(self, asked)).copied().collect();
         if let Some(first) = rest.first() {
             // Right answers speak, too; of wrong ones only those that nothing named explains.
             let speaking = || cases.iter().filter(|asked| asked.complaint.is_none()).chain(rest.iter().copied());
-            let candidates = (0..self.exercise.mistakes().len())
-                .filter(|&mistake| self.score(mistake, speaking()).1 == 0)
-                .collect();
+            let candidates =
+                (0..self.exercise.mistakes().len()).filter(|&mistake| self.score(mistake, speaking()).1 == 0).collect();
             match self.only(candidates) {
                 Some(mistake) => self.name(mistake, aspect, verdict),
                 None => {
@@ -152,7 +165,8 @@ impl<E: Exercise> Search<'_, E> {
     /// The smallest question that is answered wrongly in the same way.
     fn witness(&self, mistake: Option<usize>, wrong: &[&Asked<E>]) -> String {
         let fails_alike = |asked: &Asked<E>| {
-            asked.complaint.is_some() && mistake.is_none_or(|mistake| self.fits(mistake, asked))
+            let gives = |mistake| self.exercise.fits(mistake, &asked.case, &asked.answer, false);
+            asked.complaint.is_some() && mistake.is_none_or(gives)
         };
         let Some(first) = wrong.iter().find(|asked| fails_alike(asked)).or(wrong.first()) else { return String::new() };
         let mut smallest = Asked::new(self.exercise, first.case.clone());

@@ -66,13 +66,15 @@ pub(super) struct Asked<E: Exercise> {
     pub case: E::Case,
     pub answer: E::Answer,
     pub complaint: Option<String>,
+    /// Which mistakes give this answer, by number; filled in when something is wrong.
+    pub fits: Vec<bool>,
 }
 
 impl<E: Exercise> Asked<E> {
     fn new(exercise: &E, case: E::Case) -> Asked<E> {
         let answer = exercise.ask(&case);
         let complaint = exercise.complaint(&case, &answer);
-        Asked { case, answer, complaint }
+        Asked { case, answer, complaint, fits: Vec::new() }
     }
 }
 
@@ -95,7 +97,12 @@ fn run<E: Exercise>(exercise: &E, request: &Request<'_>, progress: &mut dyn FnMu
     let mut verdict = Verdict {
         lab: request.lab.name,
         subject: request.name.clone(),
-        aspects: request.lab.aspects.iter().map(|aspect| AspectVerdict::blank(aspect, (request.points)(aspect))).collect(),
+        aspects: request
+            .lab
+            .aspects
+            .iter()
+            .map(|aspect| AspectVerdict::blank(aspect, (request.points)(aspect)))
+            .collect(),
         ..Verdict::default()
     };
     let mut asked: Vec<Vec<Asked<E>>> = Vec::new();
@@ -111,7 +118,7 @@ fn run<E: Exercise>(exercise: &E, request: &Request<'_>, progress: &mut dyn FnMu
         verdict.seconds = start.elapsed().as_secs_f64();
         progress(&verdict);
     }
-    explain::explain(exercise, &asked, &mut verdict);
+    explain::explain(exercise, &mut asked, &mut verdict);
     verdict.is_whole = true;
     verdict.seconds = start.elapsed().as_secs_f64();
     progress(&verdict);

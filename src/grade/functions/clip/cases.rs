@@ -42,7 +42,9 @@ pub(super) fn of(aspect: &str, seed: u64) -> Vec<Case> {
         "on the plane" => on_the_plane(),
         "several planes" => several_planes(seed),
         "concave" => concave(),
-        "attributes" => asking(Asks::Attributes, one_plane().into_iter().step_by(2).chain(several_planes(seed)).collect()),
+        "attributes" => {
+            asking(Asks::Attributes, one_plane().into_iter().step_by(2).chain(several_planes(seed)).collect())
+        }
         "edge marks" => marks(seed),
         "shared edges" => neighbors(seed),
         "both sides" => sides(seed),
@@ -158,16 +160,35 @@ fn triangles(seed: u64, count: usize) -> Vec<Case> {
 
 fn concave() -> Vec<Case> {
     let star: Vec<(f64, f64)> = [
-        (0.0, 5.5), (-1.25, 1.75), (-5.25, 1.75), (-2.0, -0.75), (-3.25, -4.5), (0.0, -2.25), (3.25, -4.5), (2.0, -0.75),
-        (5.25, 1.75), (1.25, 1.75),
+        (0.0, 5.5),
+        (-1.25, 1.75),
+        (-5.25, 1.75),
+        (-2.0, -0.75),
+        (-3.25, -4.5),
+        (0.0, -2.25),
+        (3.25, -4.5),
+        (2.0, -0.75),
+        (5.25, 1.75),
+        (1.25, 1.75),
     ]
     .to_vec();
     // Three teeth through the top plane, and the letter U through the left one.
     let comb = [
-        (3.0, -1.0), (3.0, 6.0), (2.0, 6.0), (2.0, 1.0), (0.5, 1.0), (0.5, 7.0), (-0.5, 7.0), (-0.5, 1.0), (-2.0, 1.0),
-        (-2.0, 5.0), (-3.0, 5.0), (-3.0, -1.0),
+        (3.0, -1.0),
+        (3.0, 6.0),
+        (2.0, 6.0),
+        (2.0, 1.0),
+        (0.5, 1.0),
+        (0.5, 7.0),
+        (-0.5, 7.0),
+        (-0.5, 1.0),
+        (-2.0, 1.0),
+        (-2.0, 5.0),
+        (-3.0, 5.0),
+        (-3.0, -1.0),
     ];
-    let letter = [(2.0, -2.0), (2.0, 2.0), (-7.0, 2.0), (-7.0, 1.0), (1.0, 1.0), (1.0, -1.0), (-7.0, -1.0), (-7.0, -2.0)];
+    let letter =
+        [(2.0, -2.0), (2.0, 2.0), (-7.0, 2.0), (-7.0, 1.0), (1.0, 1.0), (1.0, -1.0), (-7.0, -1.0), (-7.0, -2.0)];
     let arrow = [(0.0, 6.0), (-3.0, -3.0), (0.0, 0.0), (3.0, -3.0)];
     let shapes = [&star[..], &comb, &letter, &arrow].map(|corners| facing(Asks::Shape, 4.0, corners));
     shapes.iter().flat_map(|shape| [shape.clone(), turned(shape, 3)]).chain(shapes.iter().map(backward)).collect()
@@ -204,9 +225,8 @@ fn sides(seed: u64) -> Vec<Case> {
     let mut random = Random(seed.wrapping_mul(2) + 5);
     let mut sides = Vec::new();
     while sides.len() < 16 {
-        let corners: Vec<_> = (0..3)
-            .map(|_| [random.between(-70, 70), random.between(-70, 70), random.between(100, 380)])
-            .collect();
+        let corners: Vec<_> =
+            (0..3).map(|_| [random.between(-70, 70), random.between(-70, 70), random.between(100, 380)]).collect();
         let (before, behind) = (corners.iter().any(|c| c[2] < 210), corners.iter().any(|c| c[2] > 230));
         let case = Case { corners, yon: Some(220), ..case(Asks::OtherSide, &[]) };
         if before && behind && super::exact::doubled_area(&case).iter().any(|area| area.abs() > 0.1) {

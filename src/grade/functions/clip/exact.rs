@@ -41,8 +41,7 @@ pub(super) fn doubled_area(case: &Case) -> [f64; 3] {
 
 /// Half spaces: a x + b y + c w + d >= 0.
 fn planes(case: &Case) -> Vec<[i64; 4]> {
-    let mut planes =
-        vec![[0, 0, 1, -case.hither], [1, 0, 1, 0], [-1, 0, 1, 0], [0, 1, 1, 0], [0, -1, 1, 0]];
+    let mut planes = vec![[0, 0, 1, -case.hither], [1, 0, 1, 0], [-1, 0, 1, 0], [0, 1, 1, 0], [0, -1, 1, 0]];
     planes.extend(case.yon.map(|yon| [0, 0, -1, yon]));
     planes
 }

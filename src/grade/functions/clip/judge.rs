@@ -64,7 +64,11 @@ fn shape(case: &Case, answer: &[ClipVertex]) -> Option<String> {
     for (corner, vertex) in answer.iter().enumerate() {
         let outside = distances(&volume, vertex.position).into_iter().find(|(_, distance)| *distance < -near);
         if let Some((plane, distance)) = outside {
-            return Some(format!("corner {corner}, {}, is outside the {plane} plane by {}", place(vertex.position), -distance));
+            return Some(format!(
+                "corner {corner}, {}, is outside the {plane} plane by {}",
+                place(vertex.position),
+                short(-distance)
+            ));
         }
         if off_plane(case, vertex.position) > near {
             return Some(format!("corner {corner}, {}, is not on the plane of the polygon", place(vertex.position)));
@@ -116,11 +120,13 @@ fn coverage(case: &Case, answer: &[ClipVertex]) -> Option<String> {
     let dropped = (0..3).max_by(|&a, &b| normal[a].abs().total_cmp(&normal[b].abs())).unwrap_or(2);
     let (u, v) = ((dropped + 1) % 3, (dropped + 2) % 3);
     let (low, high) = given.iter().fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(l, h), &p| (l.min(p), h.max(p)));
-    let step = |axis: usize, index: usize| low[axis] + (high[axis] - low[axis]) * (index as f64 + 0.437) / POINTS as f64;
+    let step =
+        |axis: usize, index: usize| low[axis] + (high[axis] - low[axis]) * (index as f64 + 0.437) / POINTS as f64;
     for index in 0..POINTS * POINTS {
         let mut p = Vec3::ZERO;
         (p[u], p[v]) = (step(u, index / POINTS), step(v, index % POINTS));
-        p[dropped] = given[0][dropped] - ((p[u] - given[0][u]) * normal[u] + (p[v] - given[0][v]) * normal[v]) / normal[dropped];
+        p[dropped] =
+            given[0][dropped] - ((p[u] - given[0][u]) * normal[u] + (p[v] - given[0][v]) * normal[v]) / normal[dropped];
         let inside = distances(&volume, p).iter().fold(f64::INFINITY, |least, (_, distance)| least.min(*distance));
         let near = 1e-6 * case.size();
         // Points at an outline or a plane say nothing.
@@ -181,10 +187,15 @@ fn marks(case: &Case, answer: &[ClipVertex]) -> Option<String> {
         if a.position == b.position {
             return None;
         }
-        let is_old = edges(&given).any(|(&p, &q)| from_edge(p, q, a.position) < near && from_edge(p, q, b.position) < near);
+        let is_old =
+            edges(&given).any(|(&p, &q)| from_edge(p, q, a.position) < near && from_edge(p, q, b.position) < near);
         let right = if is_old { EdgeKind::Original } else { EdgeKind::Cut };
         (a.edge != right).then(|| {
-            format!("the edge from corner {number}, {}, to the next is marked {:?}, not {right:?}", place(a.position), a.edge)
+            format!(
+                "the edge from corner {number}, {}, to the next is marked {:?}, not {right:?}",
+                place(a.position),
+                a.edge
+            )
         })
     })
 }
@@ -210,7 +221,7 @@ fn neighbors(case: &Case, answer: &[ClipVertex], other: &[ClipVertex]) -> Option
 
 fn different(one: &[[u64; 3]], two: &[[u64; 3]], who: &str) -> Option<String> {
     let at = one.iter().zip(two).position(|(a, b)| a != b);
-    let point = |bits: [u64; 3]| place(Vec3::from_array(bits.map(f64::from_bits)));
+    let point = |bits: [u64; 3]| digits(Vec3::from_array(bits.map(f64::from_bits)));
     match at {
         Some(at) => Some(format!("a common point is {}, and {who} {}", point(one[at]), point(two[at]))),
         None if one.len() == two.len() => None,
@@ -226,14 +237,17 @@ fn sides(case: &Case, before: &[ClipVertex], behind: &[ClipVertex]) -> Option<St
     };
     let other = Case { hither: case.yon.unwrap_or(case.hither), yon: None, asks: Asks::Shape, ..case.clone() };
     let who = "the part behind the plane has";
-    shape(&other, behind).map(|words| format!("behind the plane: {words}")).or_else(|| different(&on_plane(before), &on_plane(behind), who))
+    shape(&other, behind)
+        .map(|words| format!("behind the plane: {words}"))
+        .or_else(|| different(&on_plane(before), &on_plane(behind), who))
 }
 
 fn last_places(case: &Case, answer: &[ClipVertex]) -> Option<String> {
     let volume = case.volume();
     answer.iter().enumerate().find_map(|(corner, vertex)| {
-        let (plane, distance) = distances(&volume, vertex.position).into_iter().find(|(_, distance)| *distance < 0.0)?;
-        Some(format!("corner {corner}, {:?}, is outside the {plane} plane by {:e}", vertex.position, -distance))
+        let (plane, distance) =
+            distances(&volume, vertex.position).into_iter().find(|(_, distance)| *distance < 0.0)?;
+        Some(format!("corner {corner}, {}, is outside the {plane} plane by {:e}", digits(vertex.position), -distance))
     })
 }
 
@@ -254,16 +268,25 @@ pub(super) fn show(case: &Case, answer: &Answer, complaint: &str) -> String {
     let right = super::mutants::right(case);
     let answer = answer.as_ref().map(|answers| list(&positions(&answers[0]))).unwrap_or_default();
     let named = |list: String| if list.is_empty() { "nothing".to_string() } else { list };
-    text += &format!("    answer: {}\n    right:  {}\n    wrong:  {complaint}\n", named(answer), named(list(&positions(&right))));
+    text += &format!(
+        "    answer: {}\n    right:  {}\n    wrong:  {complaint}\n",
+        named(answer),
+        named(list(&positions(&right)))
+    );
     text
 }
 
-pub(super) fn place(p: Vec3) -> String {
+fn place(p: Vec3) -> String {
     format!("({}, {}, {})", short(p.x), short(p.y), short(p.z))
 }
 
-/// A number as it is when it is short, else a few digits of it; all of them where a last place may matter.
+/// A number with four places, fewer where they are 0.
 fn short(x: f64) -> String {
-    let few = format!("{x:.4}");
-    if few.parse() == Ok(x) { format!("{x}") } else { format!("{x:.17}").trim_end_matches('0').to_string() }
+    let text = format!("{x:.4}");
+    text.trim_end_matches('0').trim_end_matches('.').to_string()
+}
+
+/// A place with all its digits: the last ones matter.
+fn digits(p: Vec3) -> String {
+    format!("({:?}, {:?}, {:?})", p.x, p.y, p.z)
 }

@@ -25,9 +25,20 @@ pub(super) enum Emits {
     NoCrossing,
     /// Not the corner behind an entering crossing.
     NotBehindEntering,
-    /// Neither the first corner.
     NotFirst,
     NotLast,
+    /// The same for those who put each edge's end, not its start: the walk begins with the edge to the first corner.
+    NotLastEnd,
+}
+
+/// The edges that are walked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Edges {
+    All,
+    /// Without the last, which runs to the first corner.
+    NotLast,
+    /// The same for those who put each edge's end: the first corner is lost.
+    NotLastNorFirstCorner,
 }
 
 /// The value at a new corner.
@@ -73,10 +84,8 @@ pub(super) struct Rules {
     pub all_sides_skipped: bool,
     /// x and y are compared with 1.
     pub unit_sides: bool,
-    /// hither is taken for 0.
-    pub zero_hither: bool,
     pub partly: Partly,
-    pub last_edge: bool,
+    pub edges: Edges,
     pub emits: Emits,
     pub position: Mixed,
     pub attributes: Mixed,
@@ -99,9 +108,8 @@ pub(super) const RIGHT: Rules = Rules {
     only_first_plane: false,
     all_sides_skipped: false,
     unit_sides: false,
-    zero_hither: false,
     partly: Partly::Cut,
-    last_edge: true,
+    edges: Edges::All,
     emits: Emits::All,
     position: Mixed::Right,
     attributes: Mixed::Right,
@@ -165,25 +173,27 @@ fn planes(rules: &Rules, polygon: &[ClipVertex], volume: &ClipVolume) -> Vec<Cli
 
 fn distance(rules: &Rules, volume: &ClipVolume, plane: usize, v: &ClipVertex) -> f64 {
     let mut p = v.position;
-    let hither = if rules.zero_hither { 0.0 } else { volume.hither };
     if rules.unit_sides && (1..5).contains(&plane) {
         p.z = 1.0;
     }
-    let distance = distances(&ClipVolume { hither, ..*volume }, p)[plane].1;
-    let turned = rules.turned_sides || rules.turned_plane == Some(plane);
-    if turned && distance.is_finite() { -distance } else { distance }
+    let distance = distances(volume, p)[plane].1;
+    if rules.turned_plane == Some(plane) && distance.is_finite() { -distance } else { distance }
 }
 
 fn step(rules: &Rules, polygon: &[ClipVertex], volume: &ClipVolume, plane: usize) -> Vec<ClipVertex> {
     let mut kept = Vec::new();
-    let mut entered = false;
-    let edge_count = polygon.len() - usize::from(!rules.last_edge);
+    let sign = if rules.turned_sides { -1.0 } else { 1.0 };
+    let at = |v: &ClipVertex| sign * distance(rules, volume, plane, v);
+    let is_inside = |distance: f64| if rules.strict { distance > 0.0 } else { distance >= 0.0 };
+    let last = polygon.len() - 1;
+    let mut entered = !is_inside(at(&polygon[last])) && is_inside(at(&polygon[0]));
+    let edge_count = polygon.len() - usize::from(rules.edges == Edges::NotLast);
     for (number, (a, b)) in edges(polygon).enumerate().take(edge_count) {
-        let (at_a, at_b) = (distance(rules, volume, plane, a), distance(rules, volume, plane, b));
-        let is_inside = |distance: f64| if rules.strict { distance > 0.0 } else { distance >= 0.0 };
+        let (at_a, at_b) = (at(a), at(b));
         let (inside_a, inside_b) = (is_inside(at_a), is_inside(at_b));
         let leaves = inside_a && !inside_b;
-        let lost = (rules.emits == Emits::NotBehindEntering && entered) || (rules.emits == Emits::NotFirst && number == 0);
+        let loses_first = rules.emits == Emits::NotFirst || rules.edges == Edges::NotLastNorFirstCorner;
+        let lost = (rules.emits == Emits::NotBehindEntering && entered) || (loses_first && number == 0);
         entered = !inside_a && inside_b;
         if inside_a && !lost {
             let made = leaves && at_a == 0.0 && rules.marks == Marks::Right;
@@ -193,7 +203,7 @@ fn step(rules: &Rules, polygon: &[ClipVertex], volume: &ClipVolume, plane: usize
             Emits::NoLeaving => !leaves,
             Emits::NoEntering => leaves,
             Emits::NoCrossing => false,
-            _ => true,
+            _ => rules.edges == Edges::All || number < last,
         };
         if inside_a != inside_b && is_put && at_a != 0.0 && at_b != 0.0 {
             let mut crossing = between(rules, (a, at_a), (b, at_b), leaves);
@@ -204,7 +214,8 @@ fn step(rules: &Rules, polygon: &[ClipVertex], volume: &ClipVolume, plane: usize
                 Marks::Before | Marks::Entering => (a.edge, EdgeKind::Cut),
             };
             crossing.edge = if leaves { after_leaving } else { after_entering };
-            if leaves && rules.marks == Marks::Before
+            if leaves
+                && rules.marks == Marks::Before
                 && let Some(last) = kept.last_mut()
             {
                 last.edge = EdgeKind::Cut;
@@ -213,6 +224,13 @@ fn step(rules: &Rules, polygon: &[ClipVertex], volume: &ClipVolume, plane: usize
         }
     }
     if rules.emits == Emits::NotLast {
+        kept.pop();
+    }
+    if rules.emits == Emits::NotLastEnd {
+        // In that order the crossing of the last edge stands first.
+        let crosses = is_inside(at(&polygon[last])) != is_inside(at(&polygon[0]));
+        let by = usize::from(crosses).min(kept.len());
+        kept.rotate_right(by);
         kept.pop();
     }
     kept
@@ -231,8 +249,20 @@ fn between(rules: &Rules, (a, at_a): (&ClipVertex, f64), (b, at_b): (&ClipVertex
             Mixed::Nothing => 0.0,
             Mixed::FirstThenNothing if number > 0 => 0.0,
             Mixed::Outer => outer_value,
-            Mixed::Start => if leaves { inner_value } else { outer_value },
-            Mixed::End => if leaves { outer_value } else { inner_value },
+            Mixed::Start => {
+                if leaves {
+                    inner_value
+                } else {
+                    outer_value
+                }
+            }
+            Mixed::End => {
+                if leaves {
+                    outer_value
+                } else {
+                    inner_value
+                }
+            }
             Mixed::Middle => blend(0.5),
             Mixed::Turned => blend(1.0 - t),
             // x / w goes from end to end by this part of the way.

@@ -1,6 +1,6 @@
 //! Names: the mistakes of a clip that are told apart.
 
-use super::mutants::{Emits, Marks, Mixed, Partly, RIGHT, Rules};
+use super::mutants::{Edges, Emits, Marks, Mixed, Partly, RIGHT, Rules};
 use crate::grade::functions::Mistake;
 
 /// How a mistake is recognized.
@@ -26,10 +26,13 @@ pub(super) struct Known {
 }
 
 const INSIDE_RULE: &str = "a point is inside a plane when its distance, w + x for the left one, is at least 0";
-const STEP_RULE: &str = "for each edge a -> b: put a if it is inside; put the crossing if just one of a and b is inside";
-const MIX_RULE: &str = "with distances p > 0 and q < 0 of the ends, everything at the crossing is (p outer - q inner) / (p - q)";
+const STEP_RULE: &str =
+    "for each edge a -> b: put a if it is inside; put the crossing if just one of a and b is inside";
+const MIX_RULE: &str =
+    "with distances p > 0 and q < 0 of the ends, everything at the crossing is (p outer - q inner) / (p - q)";
 const MARK_RULE: &str = "the edge that starts where the outline leaves is Cut; the one that starts where it enters keeps the old edge's mark";
-const ALL_RULE: &str = "hither, left, right, bottom, top, yon, one after another; the result of each goes on to the next";
+const ALL_RULE: &str =
+    "hither, left, right, bottom, top, yon, one after another; the result of each goes on to the next";
 
 const fn rules(name: &'static str, cause: &'static str, rule: &'static str, rules: Rules) -> Known {
     Known { mistake: Mistake { name, cause, rule, is_forgiven: true }, kind: Kind::Rules(rules) }
@@ -58,7 +61,12 @@ pub(super) fn all() -> Vec<Known> {
 fn whole() -> Vec<Known> {
     use Partly::{Dropped, Kept, NeedsCorner};
     vec![
-        undone("nothing comes back", "every polygon is dropped", ALL_RULE, Rules { empties: true, ..RIGHT }),
+        undone(
+            "nothing comes back",
+            "every polygon is dropped; the signs of all planes may be turned",
+            INSIDE_RULE,
+            Rules { empties: true, ..RIGHT },
+        ),
         undone("nothing is cut", "the polygon comes back as it was", ALL_RULE, Rules { untouched: true, ..RIGHT }),
         undone(
             "what is partly outside is dropped",
@@ -101,7 +109,7 @@ fn whole() -> Vec<Known> {
 
 fn planes() -> Vec<Known> {
     const SKIPPED: [(&str, &str); 6] = [
-        ("hither is not cut", "the near plane is missing: points behind the eye go on"),
+        ("hither is not cut", "the near plane is missing, or taken for w = 0: what is nearer goes on"),
         ("left is not cut", "the left plane is missing"),
         ("right is not cut", "the right plane is missing"),
         ("bottom is not cut", "the lower plane is missing"),
@@ -129,18 +137,18 @@ fn planes() -> Vec<Known> {
             INSIDE_RULE,
             Rules { unit_sides: true, ..RIGHT },
         ),
-        rules("hither is taken for 0", "what lies between w = 0 and hither is kept", INSIDE_RULE, Rules {
-            zero_hither: true,
-            ..RIGHT
-        }),
-        rules("the sides are not cut", "only hither and yon are there", ALL_RULE, Rules {
-            all_sides_skipped: true,
-            ..RIGHT
-        }),
-        rules("only the first plane cuts", "after one cut nothing more is looked at", ALL_RULE, Rules {
-            only_first_plane: true,
-            ..RIGHT
-        }),
+        rules(
+            "the sides are not cut",
+            "only hither and yon are there",
+            ALL_RULE,
+            Rules { all_sides_skipped: true, ..RIGHT },
+        ),
+        rules(
+            "only the first plane cuts",
+            "after one cut nothing more is looked at",
+            ALL_RULE,
+            Rules { only_first_plane: true, ..RIGHT },
+        ),
         rules(
             "every plane cuts the original",
             "each plane starts from the given polygon: only the last cut is left",
@@ -163,7 +171,13 @@ fn steps() -> Vec<Known> {
             "the last edge is forgotten",
             "the edge from the last corner back to the first is not walked",
             "n corners have n edges: the last runs back to the first",
-            Rules { last_edge: false, ..RIGHT },
+            Rules { edges: Edges::NotLast, ..RIGHT },
+        ),
+        rules(
+            "the last edge is forgotten",
+            "the walk begins at the second corner: the edge from the last corner to the first is missing, and so is the first corner",
+            "n corners have n edges: the last runs back to the first",
+            Rules { edges: Edges::NotLastNorFirstCorner, ..RIGHT },
         ),
         emits("no crossing where the outline leaves", "only entering edges make a corner", Emits::NoLeaving),
         emits("no crossing where the outline enters", "only leaving edges make a corner", Emits::NoEntering),
@@ -175,6 +189,7 @@ fn steps() -> Vec<Known> {
         ),
         emits("drops the first corner", "the first corner is never put", Emits::NotFirst),
         emits("drops the last corner", "the last corner of every step is missing", Emits::NotLast),
+        emits("drops the last corner", "the last corner of every step is missing", Emits::NotLastEnd),
         rules(
             "a corner on a plane is lost",
             "a corner on a plane counts as outside, and as no crossing either",
@@ -191,7 +206,11 @@ fn values() -> Vec<Known> {
     let some = "only the first attribute is interpolated";
     let marks = |name, cause, marks| rules(name, cause, MARK_RULE, Rules { marks, ..RIGHT });
     vec![
-        position("the proportion is turned round", "t is that of the other end: the crossing is as far from the wrong one", Mixed::Turned),
+        position(
+            "the proportion is turned round",
+            "t is that of the other end: the crossing is as far from the wrong one",
+            Mixed::Turned,
+        ),
         position("the middle for the crossing", "every crossing is put in the middle of its edge", Mixed::Middle),
         position("the outer end for the crossing", "the corner outside is put in place of the crossing", Mixed::Outer),
         attributes(copied, "a new corner has the attributes of the inner end", Mixed::Inner),
@@ -202,12 +221,24 @@ fn values() -> Vec<Known> {
         attributes(copied, "a new corner has the mean of both ends", Mixed::Middle),
         attributes(some, "the others are copied", Mixed::FirstThenInner),
         attributes(some, "the others stay 0", Mixed::FirstThenNothing),
-        attributes("attributes mixed the other way round", "t counts from the other end than for the place", Mixed::Turned),
+        attributes(
+            "attributes mixed the other way round",
+            "t counts from the other end than for the place",
+            Mixed::Turned,
+        ),
         attributes("attributes mixed as on the screen", "t is the proportion after the division by w", Mixed::Screen),
         marks("new edges are not marked", "edges that run along a plane are taken for the object's own", Marks::None),
-        marks("the edge before is marked", "the mark is on the edge that leads to the plane, not on the one along it", Marks::Before),
+        marks(
+            "the edge before is marked",
+            "the mark is on the edge that leads to the plane, not on the one along it",
+            Marks::Before,
+        ),
         marks("entering edges are marked, too", "both crossings start a marked edge", Marks::Both),
-        marks("the wrong crossing is marked", "the edge that enters is marked, not the one along the plane", Marks::Entering),
+        marks(
+            "the wrong crossing is marked",
+            "the edge that enters is marked, not the one along the plane",
+            Marks::Entering,
+        ),
     ]
 }
 
@@ -237,6 +268,11 @@ fn symptoms() -> Vec<Known> {
             "a corner on the plane is its own crossing",
             Kind::Doubles,
         ),
-        symptom("computed in f32", "places are off by what 24 bits are off by", "keep f64 up to the screen", Kind::Single),
+        symptom(
+            "computed in f32",
+            "places are off by what 24 bits are off by",
+            "keep f64 up to the screen",
+            Kind::Single,
+        ),
     ]
 }

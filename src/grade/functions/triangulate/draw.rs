@@ -13,7 +13,8 @@ pub(super) fn show(case: &Case, triangles: Option<&[[u32; 3]]>, complaint: &str)
     let mut text = format!("  smallest case: {} corners", case.ring.len());
     if !case.is_plain() || case.tilt != 0 {
         let (outline, normal) = case.in_space();
-        let _ = write!(text, " in space, normal {normal}, first corner {}; here as seen from the normal's tip", outline[0]);
+        let _ =
+            write!(text, " in space, normal {normal}, first corner {}; here as seen from the normal's tip", outline[0]);
     }
     if case.exponent != 0 {
         let _ = write!(text, "; coordinates are times 2^{}", case.exponent);
@@ -37,9 +38,8 @@ pub(super) fn show(case: &Case, triangles: Option<&[[u32; 3]]>, complaint: &str)
 
 fn bounds(ring: &[Whole]) -> (Whole, Whole) {
     let start = (ring[0], ring[0]);
-    ring.iter().fold(start, |(low, high), p| {
-        ([low[0].min(p[0]), low[1].min(p[1])], [high[0].max(p[0]), high[1].max(p[1])])
-    })
+    ring.iter()
+        .fold(start, |(low, high), p| ([low[0].min(p[0]), low[1].min(p[1])], [high[0].max(p[0]), high[1].max(p[1])]))
 }
 
 /// Rows from the top. Coordinates are multiplied so that samples are whole numbers, too.

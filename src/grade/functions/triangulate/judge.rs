@@ -31,7 +31,10 @@ pub(super) fn complaint(case: &Case, triangles: &[[u32; 3]]) -> Option<String> {
     let (ring, count) = (&case.ring, case.ring.len());
     for (number, triangle) in triangles.iter().enumerate() {
         if let Some(index) = triangle.iter().find(|&&index| index as usize >= count) {
-            return Some(format!("triangle {number}, {triangle:?}, names corner {index}; there are 0 to {}", count - 1));
+            return Some(format!(
+                "triangle {number}, {triangle:?}, names corner {index}; there are 0 to {}",
+                count - 1
+            ));
         }
         if triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[0] == triangle[2] {
             return Some(format!("triangle {number}, {triangle:?}, names a corner twice"));
@@ -73,7 +76,8 @@ fn edge_complaint(triangles: &[[u32; 3]], count: u32) -> Option<String> {
             return Some(format!("the outline's edge {} - {} is in {times} triangles, not in one", edge.0, edge.1));
         }
     }
-    let lonely = all.iter().find(|&&(a, b)| (a + 1) % count != b && all.iter().filter(|&&other| other == (b, a)).count() != 1);
+    let lonely =
+        all.iter().find(|&&(a, b)| (a + 1) % count != b && all.iter().filter(|&&other| other == (b, a)).count() != 1);
     lonely.map(|(a, b)| format!("the diagonal {a} - {b} has not one triangle on each side"))
 }
 

@@ -37,7 +37,8 @@ const fn mistake(name: &'static str, cause: &'static str, rule: &'static str, ki
 const EAR_RULE: &str =
     "an ear turns the polygon's way, and no other corner of what is left lies in it or on its border";
 const COUNT_RULE: &str = "n corners make n - 2 triangles";
-const NORMAL_RULE: &str = "drop the axis of the normal's largest component; where that is negative, exchange the two axes left";
+const NORMAL_RULE: &str =
+    "drop the axis of the normal's largest component; where that is negative, exchange the two axes left";
 
 /// All of them.
 pub(super) const ALL: &[(Mistake, Kind)] = &[
@@ -167,14 +168,21 @@ pub(super) fn fits(kind: Kind, case: &Case, triangles: &[[u32; 3]], is_right: bo
             true => !(is_concave && case.tilt == 0 && !case.is_plain()),
             false => !case.is_plain(),
         },
-        Kind::SignIgnored => if is_right { !(is_concave && case.is_flipped) } else { case.is_flipped },
+        Kind::SignIgnored => {
+            if is_right {
+                !(is_concave && case.is_flipped)
+            } else {
+                case.is_flipped
+            }
+        }
         _ if is_right => true,
         Kind::AlongZ => case.axis != 2,
         Kind::LastMissing => judge::missing(case, triangles)
             .is_some_and(|last| triangles.len() + 3 == count && becomes_right(&[triangles, &[last]].concat())),
         Kind::OneTooMany => triangles.split_last().is_some_and(|(_, rest)| becomes_right(rest)),
         Kind::FromOne => {
-            let lower: Option<Vec<_>> = triangles.iter().map(|t| t.contains(&0).then_some(()).map_or(Some(t.map(|i| i - 1)), |()| None)).collect();
+            let lower: Option<Vec<_>> =
+                triangles.iter().map(|t| if t.contains(&0) { None } else { Some(t.map(|index| index - 1)) }).collect();
             lower.is_some_and(|lower| becomes_right(&lower))
         }
         Kind::ShrunkenList => decoded(count, triangles).is_some_and(|meant| becomes_right(&meant)),
