@@ -72,23 +72,30 @@ impl<E: Exercise> Search<'_, E> {
 
     /// The only one of these, or the one that explains the most of everything.
     fn only(&self, candidates: Vec<usize>) -> Option<usize> {
-        let mut ranked: Vec<(i64, usize)> = candidates
+        let known = self.exercise.mistakes();
+        let mut ranked: Vec<((i64, bool), usize)> = candidates
             .into_iter()
             .map(|mistake| {
                 let (explained, against) = self.score(mistake, self.all());
-                (explained as i64 - against as i64, mistake)
+                ((explained as i64 - against as i64, known[mistake].is_special), mistake)
             })
             .collect();
         ranked.sort_by_key(|&(score, mistake)| (std::cmp::Reverse(score), mistake));
-        let names = self.exercise.mistakes();
         match ranked.as_slice() {
             [] => None,
-            [(best, first), (next, second), ..] if best == next && names[*first].name != names[*second].name => None,
+            [(best, first), (next, second), ..] if best == next && known[*first].name != known[*second].name => None,
             [(_, first), ..] => Some(*first),
         }
     }
 
+    /// Names a mistake, and charges it to the aspect, this or a later one, in which it costs most.
     fn name(&mut self, mistake: usize, aspect: usize, verdict: &mut Verdict) {
+        let cost = |at: usize| {
+            let wrong = self.asked[at].iter().filter(|asked| asked.complaint.is_some() && self.fits(mistake, asked));
+            verdict.aspects[at].most * wrong.count() as f64 / self.asked[at].len().max(1) as f64
+        };
+        let dearer = |best: usize, at: usize| if cost(at) > cost(best) { at } else { best };
+        let aspect = (aspect..self.asked.len()).fold(aspect, dearer);
         let known = self.exercise.mistakes()[mistake];
         let wrong = |asked: &&Asked<E>| asked.complaint.is_some();
         verdict.faults.push(Fault {

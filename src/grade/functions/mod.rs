@@ -3,8 +3,8 @@
 //! case -student's function-> answer -JUDGE (exact)-> complaint -NAME-> cause -> points
 //!
 //! An aspect's points go by the share of its cases that are right. A mistake is named when it fits every wrong answer of an
-//! aspect and no right one speaks against it, and when only one does. What fits it later on *follows from* it and costs nothing
-//! more, but for mistakes that leave the step undone.
+//! aspect and no right one speaks against it, and when only one does. It is charged to the aspect where it costs most; what fits it
+//! elsewhere *follows from* it and costs nothing more, but for mistakes that leave the step undone.
 //!
 //! Cost: a few hundred calls of the function.
 
@@ -32,6 +32,8 @@ pub(super) struct Mistake {
     pub rule: &'static str,
     /// What follows from it costs nothing more.
     pub is_forgiven: bool,
+    /// It shows by where answers fail, not by what they are: where it explains as much as another, it is meant.
+    pub is_special: bool,
 }
 
 /// A lab as the grader asks it.

@@ -31,7 +31,11 @@ pub(super) enum Kind {
 
 const fn mistake(name: &'static str, cause: &'static str, rule: &'static str, kind: Kind) -> (Mistake, Kind) {
     let is_forgiven = !matches!(kind, Kind::Nothing | Kind::OneTriangle | Kind::Fan | Kind::Strip | Kind::Hull);
-    (Mistake { name, cause, rule, is_forgiven }, kind)
+    let is_special = matches!(
+        kind,
+        Kind::Size | Kind::PlainSigns | Kind::NormalIgnored | Kind::SignIgnored | Kind::AlongZ | Kind::StopsAtStraight
+    );
+    (Mistake { name, cause, rule, is_forgiven, is_special }, kind)
 }
 
 const EAR_RULE: &str =
