@@ -73,11 +73,11 @@ impl<E: Exercise> Search<'_, E> {
     /// The only one of these, or the one that explains the most of everything.
     fn only(&self, candidates: Vec<usize>) -> Option<usize> {
         let known = self.exercise.mistakes();
-        let mut ranked: Vec<((i64, bool), usize)> = candidates
+        let mut ranked: Vec<((i64, u8), usize)> = candidates
             .into_iter()
             .map(|mistake| {
                 let (explained, against) = self.score(mistake, self.all());
-                ((explained as i64 - against as i64, known[mistake].is_special), mistake)
+                ((explained as i64 - against as i64, known[mistake].special), mistake)
             })
             .collect();
         ranked.sort_by_key(|&(score, mistake)| (std::cmp::Reverse(score), mistake));

@@ -32,8 +32,9 @@ pub(super) struct Mistake {
     pub rule: &'static str,
     /// What follows from it costs nothing more.
     pub is_forgiven: bool,
-    /// It shows by where answers fail, not by what they are: where it explains as much as another, it is meant.
-    pub is_special: bool,
+    /// Above 0 where it shows by where answers fail, not by what they are: of mistakes that explain as much as each other the highest
+    /// is meant.
+    pub special: u8,
 }
 
 /// A lab as the grader asks it.

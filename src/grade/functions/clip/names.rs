@@ -35,7 +35,7 @@ const ALL_RULE: &str =
     "hither, left, right, bottom, top, yon, one after another; the result of each goes on to the next";
 
 const fn rules(name: &'static str, cause: &'static str, rule: &'static str, rules: Rules) -> Known {
-    Known { mistake: Mistake { name, cause, rule, is_forgiven: true, is_special: false }, kind: Kind::Rules(rules) }
+    Known { mistake: Mistake { name, cause, rule, is_forgiven: true, special: 0 }, kind: Kind::Rules(rules) }
 }
 
 /// The step is not there: what follows from that earns nothing.
@@ -45,7 +45,7 @@ const fn undone(name: &'static str, cause: &'static str, rule: &'static str, cha
 }
 
 const fn symptom(name: &'static str, cause: &'static str, rule: &'static str, kind: Kind) -> Known {
-    Known { mistake: Mistake { name, cause, rule, is_forgiven: true, is_special: false }, kind }
+    Known { mistake: Mistake { name, cause, rule, is_forgiven: true, special: 0 }, kind }
 }
 
 /// All of them.

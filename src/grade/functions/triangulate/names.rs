@@ -31,11 +31,12 @@ pub(super) enum Kind {
 
 const fn mistake(name: &'static str, cause: &'static str, rule: &'static str, kind: Kind) -> (Mistake, Kind) {
     let is_forgiven = !matches!(kind, Kind::Nothing | Kind::OneTriangle | Kind::Fan | Kind::Strip | Kind::Hull);
-    let is_special = matches!(
-        kind,
-        Kind::Size | Kind::PlainSigns | Kind::NormalIgnored | Kind::SignIgnored | Kind::AlongZ | Kind::StopsAtStraight
-    );
-    (Mistake { name, cause, rule, is_forgiven, is_special }, kind)
+    let special = match kind {
+        Kind::PlainSigns => 2,
+        Kind::Size | Kind::NormalIgnored | Kind::SignIgnored | Kind::AlongZ | Kind::StopsAtStraight => 1,
+        _ => 0,
+    };
+    (Mistake { name, cause, rule, is_forgiven, special }, kind)
 }
 
 const EAR_RULE: &str =
@@ -142,7 +143,7 @@ pub(super) const ALL: &[(Mistake, Kind)] = &[
     ),
     mistake(
         "depends on the size",
-        "the same outline fails at another size: a fixed epsilon, or squares that overflow or vanish",
+        "an outline fails that is right at an ordinary size: a fixed epsilon, or products that overflow, vanish or round",
         "compare with 0, or scale by a power of two first",
         Kind::Size,
     ),
@@ -194,7 +195,7 @@ pub(super) fn fits(kind: Kind, case: &Case, triangles: &[[u32; 3]], is_right: bo
         Kind::Slip(Slip::Early) => first_slip(case, triangles) == Some(Slip::Early) && !has_straight(ring),
         Kind::Slip(slip) => first_slip(case, triangles) == Some(slip),
         Kind::StopsAtStraight => first_slip(case, triangles) == Some(Slip::Early) && has_straight(ring),
-        Kind::Size => case.exponent != 0,
+        Kind::Size => case.exponent != 0 || is_large(ring),
         Kind::PlainSigns => is_large(ring),
     }
 }
