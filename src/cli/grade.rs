@@ -1,8 +1,10 @@
-//! `farop grade`: what is wrong with a rasterizer, why, and the smallest case that shows it.
+//! `farop grade`: what is wrong with a rasterizer or a function, why, and the smallest case that shows it.
 
 use super::error::{self, CliError, notice};
 use super::scenes::{Chosen, find_rasterizer};
 use crate::grade::folder::Pictures;
+use crate::grade::functions::{FUNCTION_LABS, grade_clip, grade_triangulate};
+use crate::grade::handout;
 use crate::grade::rubric::Rubric;
 use crate::grade::{self, InProcess, Lab, Outside, Request, Subject, Verdict, write};
 use crate::image::save;
@@ -14,17 +16,20 @@ use std::time::{Duration, SystemTime};
 /// Grade a rasterizer: points, the mistake by its name, the smallest case
 #[derive(Args)]
 #[command(
-    after_help = "Examples:\n  farop grade zbuffer -r mine --witness small.scr\n  farop grade zbuffer --pictures pictures"
+    after_help = "Examples:\n  farop grade zbuffer -r mine --witness small.scr\n  farop grade clip --hint 1\n  farop grade zbuffer --pictures pictures"
 )]
 pub(super) struct GradeCommand {
     /// Which lab (`farop list labs` has the names)
     lab: String,
-    /// Rasterizer
-    #[arg(short, long, value_name = "NAME", required_unless_present = "pictures")]
+    /// Rasterizer; in `clip` and `triangulate` a function
+    #[arg(short, long, value_name = "NAME", required_unless_present_any = ["pictures", "hint"])]
     rasterizer: Option<String>,
     /// Folder of PPM or PNG pictures drawn elsewhere from the files of `farop suite LAB`
     #[arg(long, value_name = "DIR", conflicts_with = "rasterizer")]
     pictures: Option<PathBuf>,
+    /// Print a hint: 1 asks, 2 tells the idea, 3 is nearly the code
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(handout::HINTS)))]
+    hint: Option<u32>,
     /// Grade again whenever the pictures, or this program, change
     #[arg(long)]
     watch: bool,
@@ -50,10 +55,15 @@ pub(super) struct GradeCommand {
 
 impl GradeCommand {
     pub fn run(self, registry: &Registry) -> Result<(), CliError> {
-        let lab = grade::labs::find(&self.lab).ok_or_else(|| {
-            let names: Vec<_> = grade::LABS.iter().map(|lab| lab.name).collect();
+        let labs = || grade::LABS.iter().chain(FUNCTION_LABS);
+        let lab = labs().find(|lab| lab.name == self.lab).ok_or_else(|| {
+            let names: Vec<_> = labs().map(|lab| lab.name).collect();
             CliError::failed(format!("there is no lab `{}`; there is {}", self.lab, names.join(", ")))
         })?;
+        if let Some(number) = self.hint {
+            let hint = handout::hint(lab.name, number).unwrap_or("There is none.");
+            return error::print(&format!("{hint}\n"));
+        }
         let rubric = self.read_rubric(lab)?;
         if !self.watch {
             return self.grade(lab, &rubric, registry);
@@ -70,6 +80,15 @@ impl GradeCommand {
 
     fn grade(&self, lab: &Lab, rubric: &Rubric, registry: &Registry) -> Result<(), CliError> {
         let verdict = match (&self.pictures, &self.rasterizer) {
+            (pictures, name) if is_about_function(lab) => {
+                if pictures.is_some() || self.witness.is_some() {
+                    return Err(CliError::failed(format!(
+                        "lab {} is about a function: there are no pictures and no screen files, leave --pictures and --witness out",
+                        lab.name
+                    )));
+                }
+                self.judge_function(name.as_deref().unwrap_or_default(), (lab, rubric), registry)?
+            }
             (Some(folder), _) => {
                 let pictures = Pictures::new(folder, lab, self.seed);
                 self.judge(&pictures, &folder.display().to_string(), (lab, rubric))?
@@ -101,6 +120,27 @@ impl GradeCommand {
             // The first failure to write is told at the end; the grade goes on.
             trouble = trouble.take().or(self.write_results(verdict).err());
         });
+        trouble.map_or(Ok(verdict), Err)
+    }
+
+    /// Grades a clip or a triangulation.
+    fn judge_function(
+        &self,
+        name: &str,
+        (lab, rubric): (&Lab, &Rubric),
+        registry: &Registry,
+    ) -> Result<Verdict, CliError> {
+        let points = |aspect: &grade::labs::Aspect| rubric.points(aspect);
+        let request = Request { lab, name: name.to_string(), seed: self.seed, points: &points };
+        let mut trouble = None;
+        let mut keep = |verdict: &Verdict| trouble = trouble.take().or(self.write_results(verdict).err());
+        let clip = registry.clips().iter().find(|entry| lab.name == "clip" && entry.name == name);
+        let split = registry.triangulations().iter().find(|entry| lab.name == "triangulate" && entry.name == name);
+        let verdict = match (clip, split) {
+            (Some(clip), _) => grade_clip(&*clip.function, &request, &mut keep),
+            (_, Some(split)) => grade_triangulate(&*split.function, &request, &mut keep),
+            (None, None) => return Err(no_function(name, lab.name, registry)),
+        };
         trouble.map_or(Ok(verdict), Err)
     }
 
@@ -146,6 +186,23 @@ impl GradeCommand {
             }
         }
     }
+}
+
+fn is_about_function(lab: &Lab) -> bool {
+    FUNCTION_LABS.iter().any(|function| function.name == lab.name)
+}
+
+fn no_function(name: &str, lab: &str, registry: &Registry) -> CliError {
+    let names: Vec<&str> = if lab == "clip" {
+        registry.clips().iter().map(|entry| entry.name.as_str()).collect()
+    } else {
+        registry.triangulations().iter().map(|entry| entry.name.as_str()).collect()
+    };
+    CliError::failed(format!(
+        "there is no {lab} function `{name}` in this program; there is {}\n\
+         help: one of your own is added to your crate's registry: `.with_{lab}(\"{name}\", my_{lab}::{lab})`",
+        names.join(", ")
+    ))
 }
 
 /// The newest change in a file, or in a folder and what is in it.

@@ -61,11 +61,12 @@ fn checks() -> String {
 
 fn labs() -> String {
     let mut text = String::new();
-    for lab in grade::LABS {
+    for lab in grade::LABS.iter().chain(grade::functions::FUNCTION_LABS) {
         text += &format!("{:<14}{}\n", lab.name, lab.summary);
         for aspect in lab.aspects {
             text += &format!("  {:<18}{:>3}  {}\n", aspect.name, aspect.points, aspect.asks);
         }
     }
-    text + "The number is the points of an aspect. Grade with `farop grade LAB -r NAME`.\n"
+    text + "The number is the points of an aspect. Grade with `farop grade LAB -r NAME`. What is asked: docs/labs/LAB.md;\n\
+            hints: `farop grade LAB --hint 1`, then 2 and 3.\n"
 }

@@ -15,11 +15,19 @@ use std::path::{Path, PathBuf};
 const ORIGINAL: &str = "student_rasterizers";
 
 /// The files of a student crate, and the lab crate's text for them.
-const FILES: [(&str, &str); 6] = [
+const FILES: [(&str, &str); 14] = [
     ("Cargo.toml", include_str!("../../student_rasterizers/Cargo.toml")),
     ("README.md", include_str!("../../student_rasterizers/README.md")),
     ("src/lib.rs", include_str!("../../student_rasterizers/src/lib.rs")),
     ("src/main.rs", include_str!("../../student_rasterizers/src/main.rs")),
+    ("src/my_clip.rs", include_str!("../../student_rasterizers/src/my_clip.rs")),
+    ("src/my_coverage.rs", include_str!("../../student_rasterizers/src/my_coverage.rs")),
+    ("src/my_gouraud.rs", include_str!("../../student_rasterizers/src/my_gouraud.rs")),
+    ("src/my_phong.rs", include_str!("../../student_rasterizers/src/my_phong.rs")),
+    ("src/my_supersampling.rs", include_str!("../../student_rasterizers/src/my_supersampling.rs")),
+    ("src/my_triangulate.rs", include_str!("../../student_rasterizers/src/my_triangulate.rs")),
+    ("src/my_watkins.rs", include_str!("../../student_rasterizers/src/my_watkins.rs")),
+    ("src/my_wire.rs", include_str!("../../student_rasterizers/src/my_wire.rs")),
     ("src/my_zbuffer.rs", include_str!("../../student_rasterizers/src/my_zbuffer.rs")),
     ("src/solved_example.rs", include_str!("../../student_rasterizers/src/solved_example.rs")),
 ];

@@ -155,7 +155,7 @@ pub const LABS: &[Lab] = &[
     },
 ];
 
-/// The lab of that name.
+/// The lab of that name, in which pictures are drawn; labs about functions stand in [`super::functions`].
 #[must_use]
 pub fn find(name: &str) -> Option<&'static Lab> {
     LABS.iter().find(|lab| lab.name == name)

@@ -15,6 +15,8 @@ mod cases;
 mod covered;
 mod diagnose;
 pub mod folder;
+pub mod functions;
+pub mod handout;
 pub mod labs;
 mod lighting;
 mod lines;

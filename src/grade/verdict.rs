@@ -68,6 +68,19 @@ pub enum Cause {
     Other(String),
 }
 
+/// What a function answered about one aspect.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Answers {
+    /// Questions answered wrongly.
+    pub wrong: usize,
+    /// Questions asked.
+    pub judged: usize,
+    /// What a question is called, plural.
+    pub unit: &'static str,
+    /// The smallest question answered wrongly, several lines; empty when there is none.
+    pub witness: String,
+}
+
 /// What was found about one aspect.
 #[derive(Clone, Debug)]
 pub struct AspectVerdict {
@@ -85,19 +98,34 @@ pub struct AspectVerdict {
     pub cause: Option<Cause>,
     /// A small failing case.
     pub witness: Option<Witness>,
+    /// In labs about functions: its questions, in place of shots.
+    pub answers: Option<Answers>,
 }
 
 impl AspectVerdict {
-    /// Wrong pixels of all its cases.
-    #[must_use]
-    pub fn wrong(&self) -> usize {
-        self.shots.iter().map(|shot| shot.wrong.len()).sum()
+    pub(super) fn blank(aspect: &Aspect, most: f64) -> AspectVerdict {
+        let Aspect { name, asks, .. } = *aspect;
+        AspectVerdict { name, asks, most, earned: 0.0, shots: Vec::new(), cause: None, witness: None, answers: None }
     }
 
-    /// Pixels judged.
+    /// Wrong pixels of all its cases; wrong answers of a function.
+    #[must_use]
+    pub fn wrong(&self) -> usize {
+        let pixels = || self.shots.iter().map(|shot| shot.wrong.len()).sum();
+        self.answers.as_ref().map_or_else(pixels, |answers| answers.wrong)
+    }
+
+    /// Pixels judged; questions to a function.
     #[must_use]
     pub fn judged(&self) -> usize {
-        self.shots.iter().map(|shot| shot.judged).sum()
+        let pixels = || self.shots.iter().map(|shot| shot.judged).sum();
+        self.answers.as_ref().map_or_else(pixels, |answers| answers.judged)
+    }
+
+    /// What is judged, plural.
+    #[must_use]
+    pub fn unit(&self) -> &'static str {
+        self.answers.as_ref().map_or("samples", |answers| answers.unit)
     }
 
     /// Whether every case is right.
@@ -169,19 +197,15 @@ pub struct Request<'a> {
 /// Grades `subject`; `progress` gets the verdict so far after every picture.
 pub fn grade(subject: &dyn Subject, request: &Request<'_>, progress: &mut dyn FnMut(&Verdict)) -> Verdict {
     let start = Instant::now();
-    let blank = |aspect: &Aspect| AspectVerdict {
-        name: aspect.name,
-        asks: aspect.asks,
-        most: (request.points)(aspect),
-        earned: 0.0,
-        shots: Vec::new(),
-        cause: None,
-        witness: None,
-    };
     let mut verdict = Verdict {
         lab: request.lab.name,
         subject: request.name.clone(),
-        aspects: request.lab.aspects.iter().map(blank).collect(),
+        aspects: request
+            .lab
+            .aspects
+            .iter()
+            .map(|aspect| AspectVerdict::blank(aspect, (request.points)(aspect)))
+            .collect(),
         ..Verdict::default()
     };
     for (index, aspect) in request.lab.aspects.iter().enumerate() {

@@ -9,6 +9,7 @@
 pub mod coverage;
 mod exact_edge;
 pub mod external;
+pub mod functions;
 mod layers;
 mod registry;
 mod scanline;

@@ -23,6 +23,7 @@ pub fn json(verdict: &Verdict) -> Value {
         json!({
             "name": aspect.name, "points": aspect.earned, "most": aspect.most, "wrong": aspect.wrong(), "judged": aspect.judged(),
             "verdict": kind, "cause": words, "witness": witness,
+            "smallest": aspect.answers.as_ref().map(|answers| answers.witness.as_str()),
         })
     };
     let fault = |fault: &crate::grade::Fault| {

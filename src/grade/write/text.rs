@@ -24,6 +24,10 @@ pub fn text(verdict: &Verdict) -> String {
     for note in &verdict.notes {
         let _ = writeln!(text, "note: {note}");
     }
+    if verdict.is_whole && !verdict.is_passed() {
+        let lab = verdict.lab;
+        let _ = writeln!(text, "what is asked: docs/labs/{lab}.md   a hint: farop grade {lab} --hint 1, then 2 and 3");
+    }
     let _ = writeln!(text, "{:.2} s", verdict.seconds);
     text
 }
@@ -54,14 +58,14 @@ fn status(aspect: &AspectVerdict, verdict: &Verdict) -> String {
 #[must_use]
 pub fn aspect_text(aspect: &AspectVerdict, verdict: &Verdict) -> String {
     let mut text = format!("{}: {}\n", aspect.name, aspect.asks);
-    let (wrong, judged) = (aspect.wrong(), aspect.judged());
+    let (wrong, judged, unit) = (aspect.wrong(), aspect.judged(), aspect.unit());
     match &aspect.cause {
         None => {}
-        Some(Cause::Named(fault)) => text += &named(&verdict.faults[*fault], (wrong, judged)),
+        Some(Cause::Named(fault)) => text += &named(&verdict.faults[*fault], (wrong, judged), unit),
         Some(Cause::FollowsFrom(fault)) => {
             let _ = writeln!(
                 text,
-                "  {wrong} of {judged} samples are wrong: that follows from \"{}\".",
+                "  {wrong} of {judged} {unit} are wrong: that follows from \"{}\".",
                 verdict.faults[*fault].name
             );
         }
@@ -79,12 +83,12 @@ pub fn aspect_text(aspect: &AspectVerdict, verdict: &Verdict) -> String {
     if let Some(witness) = &aspect.witness {
         text += &witness_text(witness);
     }
-    text
+    text + aspect.answers.as_ref().map_or("", |answers| &answers.witness)
 }
 
-fn named(fault: &Fault, (wrong, judged): (usize, usize)) -> String {
+fn named(fault: &Fault, (wrong, judged): (usize, usize), unit: &str) -> String {
     format!(
-        "  {wrong} of {judged} samples are wrong here; one mistake explains {} of {} wrong samples: {}\n  why:   {}\n  rule:  {}\n  \
+        "  {wrong} of {judged} {unit} are wrong here; one mistake explains {} of {} wrong {unit}: {}\n  why:   {}\n  rule:  {}\n  \
          read:  {}\n",
         fault.explained, fault.total, fault.name, fault.cause, fault.rule, fault.read
     )
