@@ -13,7 +13,7 @@ use crate::color::Encoding;
 use crate::image::Picture;
 use crate::plan::Accepts;
 use crate::raster::external::External;
-use crate::raster::{PutCounts, Rasterizer};
+use crate::raster::{Frame, Order, PutCounts, Rasterizer};
 use crate::render::{Canvas, draw};
 use crate::screen::DrawList;
 use crate::screen::file::Sheet;
@@ -45,6 +45,17 @@ pub trait Subject {
     /// [`Failure`] when there is no picture, or one that cannot be compared pixel by pixel.
     fn draw(&self, list: &DrawList, sheet: &Sheet) -> Result<Answer, Failure>;
 
+    /// Draws `list` once more and says in which order fragments were put; `None` where nobody can look, or nothing was drawn.
+    fn order(&self, list: &DrawList, sheet: &Sheet) -> Option<Order> {
+        let _ = (list, sheet);
+        None
+    }
+
+    /// Whether [`Subject::order`] can answer.
+    fn can_be_watched(&self) -> bool {
+        false
+    }
+
     /// The polygons it takes.
     fn accepts(&self) -> Accepts {
         Accepts::AnyPolygon
@@ -68,6 +79,18 @@ impl Subject for InProcess<'_> {
             hint: "Run the smallest case alone with `farop raster`, and read the line the panic names.".to_string(),
         })?;
         Ok(Answer { picture: image.encode(Encoding::Linear), puts: Some(puts) })
+    }
+
+    fn order(&self, list: &DrawList, sheet: &Sheet) -> Option<Order> {
+        let mut frame = Frame::default();
+        let size = (list.width, list.height);
+        let mut target = frame.target(size, 0..list.height, sheet.background, sheet.transparency).watched();
+        catch_unwind(AssertUnwindSafe(|| self.0.draw(list, &mut target))).ok()?;
+        target.finish().order
+    }
+
+    fn can_be_watched(&self) -> bool {
+        true
     }
 
     fn accepts(&self) -> Accepts {

@@ -199,6 +199,7 @@ pub fn grade(subject: &dyn Subject, request: &Request<'_>, progress: &mut dyn Fn
         progress(&verdict);
     }
     diagnose::explain(subject, request.lab, &mut verdict);
+    verdict.notes.extend(watch::unseen(subject, request.lab));
     verdict.is_whole = true;
     verdict.seconds = start.elapsed().as_secs_f64();
     progress(&verdict);
