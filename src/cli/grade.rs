@@ -43,6 +43,9 @@ pub(super) struct GradeCommand {
     /// Points by aspect, TOML
     #[arg(long, value_name = "FILE")]
     rubric: Option<PathBuf>,
+    /// Instead of points: at which size, offset or depth it begins to be wrong
+    #[arg(long, conflicts_with_all = ["pictures", "watch", "gradescope", "junit", "rubric"])]
+    extremes: bool,
     /// The verdict as JSON on standard output
     #[arg(long)]
     json: bool,
@@ -54,6 +57,10 @@ impl GradeCommand {
             let names: Vec<_> = grade::LABS.iter().map(|lab| lab.name).collect();
             CliError::failed(format!("there is no lab `{}`; there is {}", self.lab, names.join(", ")))
         })?;
+        if self.extremes {
+            let name = self.rasterizer.as_deref().unwrap_or("zbuffer");
+            return super::extremes::run(lab, (name, registry), self.witness.as_deref(), self.json);
+        }
         let rubric = self.read_rubric(lab)?;
         if !self.watch {
             return self.grade(lab, &rubric, registry);

@@ -2,6 +2,7 @@
 //!
 //! Target -finish-> PUT COUNTS -> `--stats`, the grader
 
+use super::external::Confinement;
 use super::order::Order;
 use std::collections::BTreeMap;
 
@@ -20,8 +21,8 @@ pub struct PutCounts {
     pub most: BTreeMap<&'static str, u64>,
     /// Why there is no picture: a program outside farop that did not give one; see [`super::Target::fail`].
     pub failure: Option<String>,
-    /// Something about how the picture came about that users should know; see [`super::Target::note`].
-    pub note: Option<String>,
+    /// What held the program outside farop that drew the picture; see [`super::Target::confined`].
+    pub confinement: Option<Confinement>,
     /// In which order fragments were put, and whether depth was read: only of a target that watches, see [`super::Target::watched`].
     pub order: Option<Order>,
 }
@@ -39,7 +40,7 @@ impl std::ops::AddAssign for PutCounts {
             *most = count.max(*most);
         }
         self.failure = self.failure.take().or(other.failure);
-        self.note = self.note.take().or(other.note);
+        self.confinement = self.confinement.take().or(other.confinement);
         if let Some(order) = other.order {
             self.order.get_or_insert_default().add(order);
         }

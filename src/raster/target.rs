@@ -8,6 +8,7 @@
 //!
 //! Space: samples, row 0 on top. Depth: larger is nearer, 0 is infinitely far.
 
+use super::external::Confinement;
 use super::layers::{Layers, composite};
 use super::order::Watch;
 use super::put_counts::PutCounts;
@@ -169,9 +170,9 @@ impl Target<'_> {
         self.counts.failure.get_or_insert_with(|| why.to_string());
     }
 
-    /// Something that `--stats` tells about how the picture came about.
-    pub fn note(&mut self, text: impl std::fmt::Display) {
-        self.counts.note.get_or_insert_with(|| text.to_string());
+    /// The picture comes from a program that was held `by` this: `--stats` prints it.
+    pub fn confined(&mut self, by: Confinement) {
+        self.counts.confinement.get_or_insert(by);
     }
 
     /// Adds `count` to what the rasterizer counts under `name`: `--stats` prints it.

@@ -17,12 +17,14 @@ mod failure;
 mod jail;
 mod library;
 mod limits;
+mod misbehave;
 mod process;
 
 pub use failure::ExternalFailure;
 pub use jail::enter as enter_jail;
 pub use library::{layout as library_layout, serve as serve_library};
-pub use limits::{Enforced, Limits};
+pub use limits::{Confinement, Enforced, Limits};
+pub use misbehave::misbehave;
 
 use super::{Rasterizer, Target};
 use crate::color::{Encoding, Rgb};
@@ -194,7 +196,7 @@ impl Rasterizer for External {
         let sheet = Sheet { background, transparency, ..Sheet::default() };
         match self.picture(list, &sheet) {
             Ok(answer) => {
-                target.note(answer.enforced);
+                target.confined(Confinement { limits: self.limits.clone(), enforced: answer.enforced });
                 show(&answer.image, target);
             }
             Err(failure) => target.fail(format!("{}: {failure}", self.name)),
