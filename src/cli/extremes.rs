@@ -18,7 +18,7 @@ pub(super) fn run(
 ) -> Result<(), CliError> {
     let findings = match find_rasterizer(registry, name)? {
         Some(Chosen::Registered(entry)) => probe_all(lab, &InProcess(&*entry.rasterizer))?,
-        Some(Chosen::Outside(external)) => probe_all(lab, &Outside(external))?,
+        Some(Chosen::Outside(external)) => probe_all(lab, &Outside::new(external))?,
         None => return Err(CliError::failed("`none` draws nothing: there is nothing to grade")),
     };
     let report =

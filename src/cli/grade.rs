@@ -87,7 +87,7 @@ impl GradeCommand {
                     .ok_or_else(|| CliError::failed("`none` draws nothing: there is nothing to grade"))?;
                 match registered {
                     Chosen::Registered(entry) => self.judge(&InProcess(&*entry.rasterizer), name, (lab, rubric))?,
-                    Chosen::Outside(external) => self.judge(&Outside(external), name, (lab, rubric))?,
+                    Chosen::Outside(external) => self.judge(&Outside::new(external), name, (lab, rubric))?,
                 }
             }
         };

@@ -62,16 +62,17 @@ fn kept_state(subject: &dyn Subject, shot: &Shot) -> Option<String> {
         return None;
     }
     let first = shot.picture()?;
-    let draw = |case: &Case| subject.draw(&case.list(subject.accepts()), &case.sheet()).ok();
-    if draw(&shot.case).is_some_and(|again| again.picture != *first) {
+    let mut turned = shot.case.clone();
+    turned.faces.reverse();
+    let lists = [&shot.case, &turned].map(|case| case.list(subject.accepts()));
+    let mut answers = subject.draw_all(&lists, &shot.case.sheet()).into_iter().map(Result::ok);
+    if answers.next()?.is_some_and(|again| again.picture != *first) {
         return Some("drawn twice, the same list gave two pictures: something is kept between calls".to_string());
     }
     if !shot.wrong.is_empty() {
         return None;
     }
-    let mut turned = shot.case.clone();
-    turned.faces.reverse();
-    let answer = draw(&turned)?;
+    let answer = answers.next()??;
     let count = wrong(&answer.picture, &paint(&turned, &Rules::default())).len();
     (count > 0).then(|| format!("with the list reversed, {count} samples are wrong: the picture depends on the order"))
 }

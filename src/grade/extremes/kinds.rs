@@ -28,7 +28,7 @@ pub(super) const KINDS: &[Kind] = &[
     kind("height", "triangles that high, 4 samples wide", || powers(3..=LARGEST, |side| long((12, side), Turn::High))),
     kind("size", "two triangles on a square picture of that side", || powers(1..=10, square)),
     kind("slivers", "triangles that long, a few 256ths of a sample thick", || powers(5..=LARGEST, sliver)),
-    kind("sub-pixel bits", "small triangles whose corners lie on a grid of 2^-k samples", || {
+    kind("sub-pixel bits", "triangles on a grid of 2^-k samples, some with a center as near an edge as can be", || {
         (0..=16).map(|bits| Step { name: format!("k = {bits}"), list: on_grid(bits) }).collect()
     }),
     kind("1 row", "a picture of N x 1 samples", || powers(0..=LARGEST, |side| strip((side, 1)))),
@@ -95,8 +95,13 @@ fn sliver(length: u32) -> DrawList {
 }
 
 fn on_grid(bits: u32) -> DrawList {
-    let (mut list, mut pen) = (DrawList::new(64, 16), Pen::new(bits, 77));
+    let (mut list, mut pen) = (DrawList::new(96, 16), Pen::new(bits, 77));
     list.grid.bits = bits;
+    if bits > 0 {
+        for (cell, side) in [(4, 1), (5, -1)] {
+            push(&mut list, &pen.near_miss(16 * cell, side), 0.5);
+        }
+    }
     for cell in 0..4 {
         let corners = pen.triangle((16 * cell, 0), (16, 16));
         push(&mut list, &corners, 0.5);

@@ -64,6 +64,30 @@ impl Pen {
     }
 }
 
+impl Pen {
+    /// A triangle in a cell of 16 x 16 samples with an edge that passes the center of sample (left + 8, 8) as near as the grid
+    /// allows: twice the area of edge and center is one step by one step.
+    pub fn near_miss(&mut self, left: u32, side: i64) -> [Point; 3] {
+        let steps = 1_i64 << self.bits;
+        let center = (i64::from(left) * steps + 8 * steps + steps / 2, 8 * steps + steps / 2);
+        // From center - (n, n - 1) to center + (n, n - 1) + side (1, 1). The direction (2n + side, 2n - 2 + side) has no common factor: no
+        // point of the grid lies between the ends.
+        let reach = 7 * steps;
+        let ends = [(center.0 - reach, center.1 - reach + 1), (center.0 + reach + side, center.1 + reach - 1 + side)];
+        loop {
+            let place = |most: i64, number: u64| (number % most as u64) as i64;
+            let third = (
+                i64::from(left) * steps + 9 * steps + place(7 * steps, self.random.next()),
+                place(5 * steps, self.random.next()),
+            );
+            let clear = ends.iter().all(|&end| !meets_a_center(end, third, steps));
+            if clear && !meets_a_center(ends[0], ends[1], steps) {
+                return [ends[0], ends[1], third].map(|(x, y)| (x as f64 / steps as f64, y as f64 / steps as f64));
+            }
+        }
+    }
+}
+
 /// Whether a sample's center lies on the edge from a to b, in grid steps.
 fn meets_a_center(a: (i64, i64), b: (i64, i64), steps: i64) -> bool {
     // In halves of a step, so that centers are whole even on a grid of whole samples.

@@ -141,7 +141,9 @@ impl External {
         }
     }
 
-    fn at_once(&self, lists: &[DrawList], sheet: &Sheet) -> Option<Vec<Answer>> {
+    /// The pictures of many lists from one run; `None` where there is fault with any of them, or the program draws only one.
+    #[must_use]
+    pub fn at_once(&self, lists: &[DrawList], sheet: &Sheet) -> Option<Vec<Answer>> {
         if lists.len() < 2 {
             return None;
         }
