@@ -24,11 +24,15 @@ fn drawn(list: &DrawList, rasterizer: &dyn Rasterizer) -> Image {
     render::draw(list, Some(rasterizer), &Canvas::of_sheet(&farop::screen::file::Sheet::default())).0
 }
 
-/// What is seen at every sample that is wrong.
+/// What is seen at some of the samples that are wrong.
 fn sights(list: &DrawList, rasterizer: &dyn Rasterizer) -> Vec<((i32, i32), Sight)> {
     let (wrong, right) = (drawn(list, rasterizer), drawn(list, &ZBuffer));
     let samples = (0..SIDE as i32).flat_map(|y| (0..SIDE as i32).map(move |x| (x, y)));
-    samples.filter_map(|at| look(list, (&wrong, &right), [0.0; 3], at).map(|sight| (at, sight))).collect()
+    // Each costs a hundred pictures: some must do.
+    let differs = |&(x, y): &(i32, i32)| wrong.pixel(x as usize, y as usize) != right.pixel(x as usize, y as usize);
+    let all: Vec<_> = samples.filter(differs).collect();
+    let some = all.iter().copied().step_by(all.len() / 24 + 1);
+    some.filter_map(|at| look(list, (&wrong, &right), [0.0; 3], at).map(|sight| (at, sight))).collect()
 }
 
 fn names(sight: &Sight) -> Vec<&'static str> {
@@ -74,7 +78,7 @@ fn where_nothing_is_wrong_nothing_is_seen() {
 fn samples_at_the_corner_are_named_from_one_pixel() {
     let list = scene_list();
     let all = sights(&list, &PerPolygon(Planted { shift: 1, ..NO_MISTAKE }));
-    assert!(all.len() > 20, "{}", all.len());
+    assert!(all.len() > 10, "{}", all.len());
     let named = all.iter().filter(|(_, sight)| names(sight).contains(&"samples at the corner")).count();
     assert!(named * 10 >= all.len() * 9, "{named} of {}", all.len());
     // Where the background shows instead of a polygon, and the other way round.

@@ -42,7 +42,7 @@ fn pixel(text: &str) -> Result<(u32, u32), String> {
 impl WhyCommand {
     pub fn run(self, registry: &Registry) -> Result<(), CliError> {
         let chosen = find_rasterizer(registry, &self.rasterizer)?;
-        let subject = self.subject()?;
+        let subject = self.subject(as_rasterizer(&chosen))?;
         let samples = subject.canvas.samples;
         let (width, height) = (subject.list.width / samples, subject.list.height / samples);
         if self.pixel.0 >= width || self.pixel.1 >= height {
@@ -75,7 +75,7 @@ impl WhyCommand {
     }
 
     /// What is asked about: a screen file, or scenes.
-    fn subject(&self) -> Result<Subject, CliError> {
+    fn subject(&self, rasterizer: Option<&dyn Rasterizer>) -> Result<Subject, CliError> {
         if let [name] = &self.scenes.scenes[..]
             && Path::new(name).extension().is_some_and(|ending| ending == "scr")
         {
@@ -85,26 +85,29 @@ impl WhyCommand {
         }
         let loaded = self.scenes.load(&self.picture)?;
         let choices = self.picture.choices();
-        let list = render::list(&loaded.scene, &choices, None)?;
+        let list = render::list(&loaded.scene, &choices, rasterizer)?;
         let canvas = Canvas::new(&loaded.scene, &choices);
         Ok(Subject { list, scene: Some(loaded.scene), canvas, encoding: choices.encoding })
     }
 
-    /// All samples as the rasterizer draws them, and as they should be; nothing where both are one, or where lines are drawn.
+    /// All samples as the rasterizer draws them, and as they should be; lines are taken as they are drawn.
     fn pictures(
         &self,
         subject: &Subject,
         rasterizer: Option<&dyn Rasterizer>,
     ) -> Result<Option<(Image, Image)>, CliError> {
-        let Some(rasterizer) = rasterizer.filter(|_| self.rasterizer != "zbuffer" && subject.list.has_depth) else {
-            return Ok(None);
-        };
+        let Some(rasterizer) = rasterizer else { return Ok(None) };
         let canvas = Canvas { samples: 1, ..subject.canvas };
         let drawn = catch_unwind(AssertUnwindSafe(|| render::draw(&subject.list, Some(rasterizer), &canvas)));
         let (drawn, puts) =
             drawn.map_err(|_| CliError::failed(format!("`{}` panicked; the message is above", self.rasterizer)))?;
         check_drawn(&puts)?;
-        Ok(Some((drawn, render::draw(&subject.list, Some(&ZBuffer), &canvas).0)))
+        let right = if subject.list.has_depth {
+            render::draw(&subject.list, Some(&ZBuffer), &canvas).0
+        } else {
+            drawn.clone()
+        };
+        Ok(Some((drawn, right)))
     }
 }
 
