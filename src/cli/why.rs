@@ -102,11 +102,8 @@ impl WhyCommand {
         let (drawn, puts) =
             drawn.map_err(|_| CliError::failed(format!("`{}` panicked; the message is above", self.rasterizer)))?;
         check_drawn(&puts)?;
-        let right = if subject.list.has_depth {
-            render::draw(&subject.list, Some(&ZBuffer), &canvas).0
-        } else {
-            drawn.clone()
-        };
+        let right =
+            if subject.list.has_depth { render::draw(&subject.list, Some(&ZBuffer), &canvas).0 } else { drawn.clone() };
         Ok(Some((drawn, right)))
     }
 }
