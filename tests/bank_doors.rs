@@ -61,7 +61,7 @@ fn same_verdict(words: &[OsString], slip: &str) -> (Vec<&'static str>, Vec<(&'st
 }
 
 fn outside(name: &str) -> Outside {
-    Outside(External::from_name(name).expect("a door").with_host(env!("CARGO_BIN_EXE_farop")))
+    Outside::new(External::from_name(name).expect("a door").with_host(env!("CARGO_BIN_EXE_farop")))
 }
 
 #[test]

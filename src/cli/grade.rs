@@ -48,6 +48,9 @@ pub(super) struct GradeCommand {
     /// Points by aspect, TOML
     #[arg(long, value_name = "FILE")]
     rubric: Option<PathBuf>,
+    /// Instead of points: at which size, offset or depth it begins to be wrong
+    #[arg(long, conflicts_with_all = ["pictures", "watch", "gradescope", "junit", "rubric"])]
+    extremes: bool,
     /// The verdict as JSON on standard output
     #[arg(long)]
     json: bool,
@@ -63,6 +66,10 @@ impl GradeCommand {
         if let Some(number) = self.hint {
             let hint = handout::hint(lab.name, number).unwrap_or("There is none.");
             return error::print(&format!("{hint}\n"));
+        }
+        if self.extremes {
+            let name = self.rasterizer.as_deref().unwrap_or("zbuffer");
+            return super::extremes::run(lab, (name, registry), self.witness.as_deref(), self.json);
         }
         let rubric = self.read_rubric(lab)?;
         if !self.watch {
@@ -99,7 +106,7 @@ impl GradeCommand {
                     .ok_or_else(|| CliError::failed("`none` draws nothing: there is nothing to grade"))?;
                 match registered {
                     Chosen::Registered(entry) => self.judge(&InProcess(&*entry.rasterizer), name, (lab, rubric))?,
-                    Chosen::Outside(external) => self.judge(&Outside(external), name, (lab, rubric))?,
+                    Chosen::Outside(external) => self.judge(&Outside::new(external), name, (lab, rubric))?,
                 }
             }
         };

@@ -12,6 +12,7 @@ mod compare;
 mod convert;
 mod dump;
 mod error;
+mod extremes;
 mod generate;
 mod grade;
 mod lab;
@@ -47,6 +48,9 @@ pub fn run(registry: &Registry, arguments: impl IntoIterator<Item = std::ffi::Os
     // How farop starts itself for rasterizers outside of it: nothing that a user types.
     match arguments.get(1).and_then(|word| word.to_str()) {
         Some("__jail") => return ExitCode::from(external::enter_jail(&arguments[2..])),
+        Some("__misbehave") => {
+            return ExitCode::from(external::misbehave(&arguments.get(2).cloned().unwrap_or_default()));
+        }
         Some("__host") => {
             return ExitCode::from(external::serve_library(&arguments.get(2).cloned().unwrap_or_default()));
         }

@@ -8,7 +8,7 @@ use crate::color::Encoding;
 use crate::plan::Varying;
 use crate::raster::Registry;
 use crate::render::{self, Canvas};
-use crate::screen::file::{ReadOptions, read};
+use crate::screen::file::{ReadOptions, ScreenFile, read};
 use clap::Args;
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -38,12 +38,8 @@ pub(super) struct RasterCommand {
 impl RasterCommand {
     pub fn run(self, registry: &Registry) -> Result<(), CliError> {
         check_extension(&self.output)?;
-        let text = read_text(&self.file)?;
         let options = ReadOptions { encoding: self.encoding, max_pixels: self.max_pixels };
-        let file = read(&text, &options).map_err(|error| {
-            let help = error.help.as_ref().map_or(String::new(), |help| format!("\nhelp: {help}"));
-            CliError::failed(format!("{}: {error}{help}", self.file.display()))
-        })?;
+        let file = read_screen_file(&self.file, &options)?;
         // A file without anything that varies was made for wire.
         let name = if file.list.varying == Varying::Nothing && self.rasterizer == "zbuffer" {
             "wire"
@@ -55,6 +51,14 @@ impl RasterCommand {
         check_drawn(&puts)?;
         save_picture(&self.output, &image.encode(file.sheet.encoding))
     }
+}
+
+/// The screen file at `path`, or on standard input where that is `-`.
+pub(super) fn read_screen_file(path: &Path, options: &ReadOptions) -> Result<ScreenFile, CliError> {
+    read(&read_text(path)?, options).map_err(|error| {
+        let help = error.help.as_ref().map_or(String::new(), |help| format!("\nhelp: {help}"));
+        CliError::failed(format!("{}: {error}{help}", path.display()))
+    })
 }
 
 fn read_text(path: &Path) -> Result<String, CliError> {

@@ -4,6 +4,7 @@ use super::lighting::{light_words, surface_words};
 use super::scenes::Loaded;
 use crate::plan::Plan;
 use crate::raster::PutCounts;
+use crate::raster::external::Confinement;
 use crate::render::Rendered;
 use crate::report::{StageTime, peak_bytes};
 use crate::scene::{Scene, Shape};
@@ -62,6 +63,7 @@ fn json(rendered: &Rendered) -> serde_json::Value {
         "stray_writes": puts.stray_writes,
         "rasterizer": puts.own.iter().chain(&puts.most).collect::<BTreeMap<_, _>>(),
         "spans_without_pixel_work": span_share(puts),
+        "enforced": puts.confinement.as_ref().map(Confinement::json),
         "tessellated": counts.tessellated,
         "work": counts.work,
         "times_ms": rendered.times,
@@ -192,8 +194,8 @@ fn raster_lines(rendered: &Rendered, rasterizer: &str, text: &mut String) -> std
     for (name, count) in puts.own.iter().chain(&puts.most) {
         writeln!(text, "Pipeline: {rasterizer}: {name}: {count}")?;
     }
-    if let Some(note) = &puts.note {
-        writeln!(text, "Pipeline: {rasterizer}: {note}")?;
+    if let Some(confinement) = &puts.confinement {
+        writeln!(text, "Pipeline: {rasterizer}: {}", confinement.enforced)?;
     }
     if let Some(share) = span_share(puts) {
         let percent = share * 100.0;

@@ -1,22 +1,25 @@
-//! `farop why`: every polygon over a pixel, and which one wins by which rule.
+//! `farop why`: every polygon over a pixel, and which one wins by which rule; what a rasterizer drew there, and which mistake explains it.
 
 use super::error::{self, CliError};
 use super::options::PictureOptions;
+use super::raster::read_screen_file;
 use super::scenes::{Chosen, SceneOptions, as_rasterizer, check_drawn, find_rasterizer};
-use crate::color::Rgb;
+use crate::color::{Encoding, Rgb};
+use crate::grade::look::{Resembles, Sight, look};
 use crate::image::Image;
-use crate::plan::Choices;
-use crate::raster::{Rasterizer, Registry};
-use crate::render::{self, Canvas, Rendered, why};
+use crate::raster::{Rasterizer, Registry, ZBuffer};
+use crate::render::{self, Canvas, why};
 use crate::scene::Scene;
+use crate::screen::DrawList;
+use crate::screen::file::ReadOptions;
 use clap::Args;
 use std::fmt::Write;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::Path;
 
 /// Every polygon over a pixel, its depth and edges, who wins and by which rule
 #[derive(Args)]
-#[command(
-    after_help = "Examples:\n  farop why spd:gears --pixel 256,256\n  farop why scene.nff --size 64 --pixel 12,40 -r wire"
-)]
+#[command(after_help = "Examples:\n  farop why spd:gears --pixel 256,256\n  farop why small.scr --pixel 3,4 -r mine")]
 pub(super) struct WhyCommand {
     #[command(flatten)]
     scenes: SceneOptions,
@@ -38,59 +41,124 @@ fn pixel(text: &str) -> Result<(u32, u32), String> {
 
 impl WhyCommand {
     pub fn run(self, registry: &Registry) -> Result<(), CliError> {
-        let loaded = self.scenes.load(&self.picture)?;
         let chosen = find_rasterizer(registry, &self.rasterizer)?;
-        let outside = matches!(chosen, Some(Chosen::Outside(_)));
-        let rasterizer = as_rasterizer(&chosen).filter(|_| !outside);
-        let choices = self.picture.choices();
-        let rendered = render::render_with(&loaded.scene, &choices, None, |_| ())?;
-        let (width, height) = rendered.plan.view.pixels;
+        let subject = self.subject(as_rasterizer(&chosen))?;
+        let samples = subject.canvas.samples;
+        let (width, height) = (subject.list.width / samples, subject.list.height / samples);
         if self.pixel.0 >= width || self.pixel.1 >= height {
             let (x, y) = self.pixel;
             return Err(CliError::failed(format!("pixel {x},{y} is outside the picture of {width}x{height}")));
         }
+        let pictures = self.pictures(&subject, as_rasterizer(&chosen))?;
         // A program outside farop gives a picture; which polygon it put where only the program knows.
-        let picture =
-            if outside { Some(picture_of(&loaded.scene, &choices, &rendered, as_rasterizer(&chosen))?) } else { None };
+        let outside = matches!(chosen, Some(Chosen::Outside(_)));
+        let rasterizer = as_rasterizer(&chosen).filter(|_| !outside);
         let mut text = String::new();
-        let corner = (self.pixel.0 * choices.samples, self.pixel.1 * choices.samples);
-        for sample in 0..choices.samples * choices.samples {
-            let sample = (corner.0 + sample % choices.samples, corner.1 + sample / choices.samples);
-            let context = Context { scene: &loaded.scene, choices: &choices, rendered: &rendered };
+        for number in 0..samples * samples {
+            let (x, y) = (self.pixel.0 * samples + number % samples, self.pixel.1 * samples + number / samples);
+            let sample = (x as i32, y as i32);
             // Writing to a String cannot fail.
-            let _ = context.sample((sample.0 as i32, sample.1 as i32), rasterizer, &mut text);
-            if let Some(image) = &picture {
-                let light = image.pixel(sample.0 as usize, sample.1 as usize);
-                text += &format!("  {} drew color {}\n", self.rasterizer, context.levels(light));
+            let _ = subject.sample(sample, rasterizer, &mut text);
+            if let Some((drawn, right)) = &pictures {
+                if outside {
+                    let light = drawn.pixel(x as usize, y as usize);
+                    text += &format!("  {} drew color {}\n", self.rasterizer, subject.levels(light));
+                }
+                let background = subject.canvas.background.to_f64().to_array();
+                if let Some(sight) = look(&subject.list, (drawn, right), background, sample) {
+                    let colors = [drawn, right].map(|image| subject.levels(image.pixel(x as usize, y as usize)));
+                    let _ = said(&sight, &colors, &mut text);
+                }
             }
         }
         error::print(&text)
     }
+
+    /// What is asked about: a screen file, or scenes.
+    fn subject(&self, rasterizer: Option<&dyn Rasterizer>) -> Result<Subject, CliError> {
+        if let [name] = &self.scenes.scenes[..]
+            && Path::new(name).extension().is_some_and(|ending| ending == "scr")
+        {
+            let file = read_screen_file(Path::new(name), &ReadOptions::default())?;
+            let (canvas, encoding) = (Canvas::of_sheet(&file.sheet), file.sheet.encoding);
+            return Ok(Subject { list: file.list, scene: None, canvas, encoding });
+        }
+        let loaded = self.scenes.load(&self.picture)?;
+        let choices = self.picture.choices();
+        let list = render::list(&loaded.scene, &choices, rasterizer)?;
+        let canvas = Canvas::new(&loaded.scene, &choices);
+        Ok(Subject { list, scene: Some(loaded.scene), canvas, encoding: choices.encoding })
+    }
+
+    /// All samples as the rasterizer draws them, and as they should be; lines are taken as they are drawn.
+    fn pictures(
+        &self,
+        subject: &Subject,
+        rasterizer: Option<&dyn Rasterizer>,
+    ) -> Result<Option<(Image, Image)>, CliError> {
+        let Some(rasterizer) = rasterizer else { return Ok(None) };
+        let canvas = Canvas { samples: 1, ..subject.canvas };
+        let drawn = catch_unwind(AssertUnwindSafe(|| render::draw(&subject.list, Some(rasterizer), &canvas)));
+        let (drawn, puts) =
+            drawn.map_err(|_| CliError::failed(format!("`{}` panicked; the message is above", self.rasterizer)))?;
+        check_drawn(&puts)?;
+        let right =
+            if subject.list.has_depth { render::draw(&subject.list, Some(&ZBuffer), &canvas).0 } else { drawn.clone() };
+        Ok(Some((drawn, right)))
+    }
 }
 
-/// The sample grid as a rasterizer outside farop draws it.
-fn picture_of(
-    scene: &Scene,
-    choices: &Choices,
-    rendered: &Rendered,
-    rasterizer: Option<&dyn Rasterizer>,
-) -> Result<Image, CliError> {
-    let canvas = Canvas { samples: 1, ..Canvas::new(scene, choices) };
-    let (image, puts) = render::draw(&rendered.list, rasterizer, &canvas);
-    check_drawn(&puts)?;
-    Ok(image)
+/// What a rasterizer drew instead, and why it may have.
+fn said(sight: &Sight, [drawn, right]: &[String; 2], text: &mut String) -> std::fmt::Result {
+    write!(text, "  it drew {drawn}, right is {right}: ")?;
+    match sight.resembles {
+        Resembles::Background => writeln!(text, "that is the background")?,
+        Resembles::Over(polygon) => writeln!(text, "that is the color of polygon {polygon} here")?,
+        Resembles::Beside(polygon, distance) if distance > 0.0 => {
+            writeln!(
+                text,
+                "that is the color of polygon {polygon}, which begins {distance:.2} samples from the center"
+            )?;
+        }
+        Resembles::Beside(polygon, _) => {
+            writeln!(text, "that is the color of polygon {polygon}, which does not cover the center")?;
+        }
+        Resembles::Nobody => writeln!(text, "that is no polygon's color here, nor the background")?,
+    }
+    let (wrong, judged) = sight.wrong;
+    let place = if sight.is_whole { "of the picture's" } else { "of the nearest" };
+    match &sight.mistakes[..] {
+        [] if judged == 0 => Ok(()),
+        [] => writeln!(text, "  {wrong} {place} {judged} samples are wrong, and no single mistake explains them"),
+        [(mistake, explained)] => {
+            writeln!(
+                text,
+                "  {wrong} {place} {judged} samples are wrong; one mistake explains {explained} of them: {}",
+                mistake.name
+            )?;
+            writeln!(text, "    why:   {}\n    rule:  {}\n    read:  {}", mistake.cause, mistake.rule, mistake.read)
+        }
+        several => {
+            writeln!(text, "  {wrong} {place} {judged} samples are wrong; here several mistakes would look alike:")?;
+            several.iter().try_for_each(|(mistake, explained)| {
+                writeln!(text, "    {} (explains {explained}): {}", mistake.name, mistake.cause)
+            })
+        }
+    }
 }
 
-struct Context<'a> {
-    scene: &'a Scene,
-    choices: &'a Choices,
-    rendered: &'a Rendered,
+/// A list to ask about, and what it is drawn on.
+struct Subject {
+    list: DrawList,
+    /// Where polygons come from; a screen file does not know.
+    scene: Option<Scene>,
+    canvas: Canvas,
+    encoding: Encoding,
 }
 
-impl Context<'_> {
+impl Subject {
     fn sample(&self, sample: (i32, i32), rasterizer: Option<&dyn Rasterizer>, text: &mut String) -> std::fmt::Result {
-        let list = &self.rendered.list;
-        let explanation = why::explain(list, sample.0, sample.1);
+        let explanation = why::explain(&self.list, sample.0, sample.1);
         let center = (f64::from(sample.0) + 0.5, f64::from(sample.1) + 0.5);
         writeln!(text, "sample {},{} (center {}, {})", sample.0, sample.1, center.0, center.1)?;
         for candidate in &explanation.candidates {
@@ -109,12 +177,13 @@ impl Context<'_> {
     }
 
     fn candidate(&self, candidate: &why::Candidate, text: &mut String) -> std::fmt::Result {
-        let surface = &self.rendered.list.shader.surfaces[candidate.surface as usize];
+        let surface = &self.list.shader.surfaces[candidate.surface as usize];
         let line = crate::scene::Place { line: candidate.source.line, ..surface.place };
+        let place = self.scene.as_ref().map_or(String::new(), |scene| format!(", {}", scene.describe(line)));
         let piece = if candidate.source.tessellated { " (piece of a shape)" } else { "" };
-        let depth = self.rendered.list.depth_in_scene_units(candidate.depth);
-        let (place, color) = (self.scene.describe(line), self.levels(candidate.color));
-        write!(text, "  polygon {}, {place}{piece}: depth {depth}, color {color}", candidate.polygon)?;
+        let depth = self.list.depth_in_scene_units(candidate.depth);
+        let color = self.levels(candidate.color);
+        write!(text, "  polygon {}{place}{piece}: depth {depth}, color {color}", candidate.polygon)?;
         if candidate.opacity != Rgb::gray(1.0) {
             write!(text, ", opacity {:?}", candidate.opacity.to_array())?;
         }
@@ -134,10 +203,9 @@ impl Context<'_> {
         explanation: &why::Explanation,
         text: &mut String,
     ) -> std::fmt::Result {
-        let canvas = Canvas::new(self.scene, self.choices);
-        let Some(drawn) = why::drawn(&self.rendered.list, rasterizer, &canvas, sample) else { return Ok(()) };
+        let Some(drawn) = why::drawn(&self.list, rasterizer, &self.canvas, sample) else { return Ok(()) };
         let expected = explanation.winner.map(|index| explanation.candidates[index].polygon);
-        let depth = self.rendered.list.depth_in_scene_units(drawn.depth);
+        let depth = self.list.depth_in_scene_units(drawn.depth);
         let what =
             drawn.polygon.map_or("nothing opaque".to_string(), |polygon| format!("polygon {polygon} at depth {depth}"));
         let verdict = if drawn.polygon == expected { "as the rules say" } else { "NOT what the rules say" };
@@ -145,7 +213,7 @@ impl Context<'_> {
     }
 
     fn levels(&self, color: Rgb<f32>) -> String {
-        let [r, g, b] = color.to_array().map(|light| self.choices.encoding.level(light));
+        let [r, g, b] = color.to_array().map(|light| self.encoding.level(light));
         format!("{r} {g} {b}")
     }
 }

@@ -10,13 +10,14 @@
 //! have limits on time and memory.
 
 use crate::color::Encoding;
-use crate::image::Picture;
+use crate::image::{Image, Picture};
 use crate::plan::Accepts;
 use crate::raster::external::External;
-use crate::raster::{PutCounts, Rasterizer};
+use crate::raster::{Frame, Order, PutCounts, Rasterizer};
 use crate::render::{Canvas, draw};
 use crate::screen::DrawList;
 use crate::screen::file::Sheet;
+use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// Why there is no picture.
@@ -45,6 +46,27 @@ pub trait Subject {
     /// [`Failure`] when there is no picture, or one that cannot be compared pixel by pixel.
     fn draw(&self, list: &DrawList, sheet: &Sheet) -> Result<Answer, Failure>;
 
+    /// How many lists it is best asked for together: those with a process of their own start once for all of them.
+    fn batch(&self) -> usize {
+        1
+    }
+
+    /// As [`Subject::draw`], of many lists on one sheet.
+    fn draw_all(&self, lists: &[DrawList], sheet: &Sheet) -> Vec<Result<Answer, Failure>> {
+        lists.iter().map(|list| self.draw(list, sheet)).collect()
+    }
+
+    /// Draws `list` once more and says in which order fragments were put; `None` where nobody can look, or nothing was drawn.
+    fn order(&self, list: &DrawList, sheet: &Sheet) -> Option<Order> {
+        let _ = (list, sheet);
+        None
+    }
+
+    /// Whether [`Subject::order`] can answer.
+    fn can_be_watched(&self) -> bool {
+        false
+    }
+
     /// The polygons it takes.
     fn accepts(&self) -> Accepts {
         Accepts::AnyPolygon
@@ -70,6 +92,18 @@ impl Subject for InProcess<'_> {
         Ok(Answer { picture: image.encode(Encoding::Linear), puts: Some(puts) })
     }
 
+    fn order(&self, list: &DrawList, sheet: &Sheet) -> Option<Order> {
+        let mut frame = Frame::default();
+        let size = (list.width, list.height);
+        let mut target = frame.target(size, 0..list.height, sheet.background, sheet.transparency).watched();
+        catch_unwind(AssertUnwindSafe(|| self.0.draw(list, &mut target))).ok()?;
+        target.finish().order
+    }
+
+    fn can_be_watched(&self) -> bool {
+        true
+    }
+
     fn accepts(&self) -> Accepts {
         self.0.accepts()
     }
@@ -81,14 +115,61 @@ pub(super) fn panic_text(panic: &(dyn std::any::Any + Send)) -> String {
 }
 
 /// A rasterizer outside this process: a program or a library, in its jail.
-pub struct Outside(pub External);
+pub struct Outside {
+    external: External,
+    /// It did not draw several lists in one run, or not as it draws them alone: so it is not asked to again.
+    draws_one: Cell<bool>,
+    /// Drawn in a run of many, a list once gave the picture that it gives alone.
+    is_trusted: Cell<bool>,
+}
+
+/// Lists that a program gets in one run.
+const BATCH: usize = 24;
+
+impl Outside {
+    /// A door to `external`.
+    #[must_use]
+    pub fn new(external: External) -> Outside {
+        Outside { external, draws_one: Cell::new(false), is_trusted: Cell::new(false) }
+    }
+}
+
+fn seen(image: &Image, sheet: &Sheet) -> Answer {
+    Answer { picture: image.average(sheet.samples as usize).encode(Encoding::Linear), puts: None }
+}
 
 impl Subject for Outside {
     fn draw(&self, list: &DrawList, sheet: &Sheet) -> Result<Answer, Failure> {
-        let answer = self.0.picture(list, sheet).map_err(|failure| Failure {
+        let answer = self.external.picture(list, sheet).map_err(|failure| Failure {
             message: failure.to_string(),
-            hint: format!("Run the smallest case alone: farop raster CASE.scr -r '{}' -o case.png", self.0.name()),
+            hint: format!(
+                "Run the smallest case alone: farop raster CASE.scr -r '{}' -o case.png",
+                self.external.name()
+            ),
         })?;
-        Ok(Answer { picture: answer.image.average(sheet.samples as usize).encode(Encoding::Linear), puts: None })
+        Ok(seen(&answer.image, sheet))
+    }
+
+    fn batch(&self) -> usize {
+        if self.draws_one.get() { 1 } else { BATCH }
+    }
+
+    fn draw_all(&self, lists: &[DrawList], sheet: &Sheet) -> Vec<Result<Answer, Failure>> {
+        if lists.len() > 1 && !self.draws_one.get() {
+            let answers = self.external.at_once(lists, sheet).unwrap_or_default();
+            let answers: Vec<_> = answers.iter().map(|answer| seen(&answer.image, sheet)).collect();
+            // What is left over from one picture in the next must not count against a program that need draw only one.
+            let alone = |list: &DrawList| self.draw(list, sheet).ok().map(|answer| answer.picture);
+            let is_same =
+                |(list, answer): (&DrawList, &Answer)| alone(list).is_some_and(|alone| alone == answer.picture);
+            if self.is_trusted.get() || lists.last().zip(answers.last()).is_some_and(is_same) {
+                self.is_trusted.set(true);
+                if !answers.is_empty() {
+                    return answers.into_iter().map(Ok).collect();
+                }
+            }
+            self.draws_one.set(true);
+        }
+        lists.iter().map(|list| self.draw(list, sheet)).collect()
     }
 }

@@ -1,11 +1,12 @@
-//! Watch: what is asked besides the picture: no state, every sample once, no look at the whole screen.
+//! Watch: what is asked besides the picture: no state, every sample once and in order, no look at the whole screen.
 
 use super::case::{Case, Face};
-use super::labs::Watch;
+use super::labs::{Lab, Watch};
 use super::paint::paint;
 use super::rules::Rules;
 use super::subject::Subject;
 use super::verdict::{Shot, wrong};
+use crate::raster::Order;
 use std::time::Instant;
 
 /// What is wrong with a case besides its pixels.
@@ -18,12 +19,41 @@ pub(super) fn complaint(subject: &dyn Subject, shot: &Shot, watch: Watch) -> Opt
     match watch {
         Watch::State => kept_state(subject, shot),
         Watch::PutOnce => {
-            let overdraw = puts.map_or(0, |puts| puts.overdraw);
-            (overdraw > 0)
-                .then(|| format!("{overdraw} fragments were put where one already was: that is a z-buffer's way"))
+            let case = &shot.case;
+            subject.order(&case.list(subject.accepts()), &case.sheet()).as_ref().and_then(out_of_order)
         }
         Watch::Picture | Watch::Cost => None,
     }
+}
+
+/// What is not a scan-line algorithm's order, the telling thing first.
+fn out_of_order(order: &Order) -> Option<String> {
+    let mut words = Vec::new();
+    if let Some((x, y)) = order.first_read {
+        let reads = order.depth_reads;
+        words.push(format!("reads depth: this is a z-buffer ({reads} times, first at ({x}, {y}))"));
+    }
+    if let Some((x, y)) = order.first_repeat {
+        let repeats = order.repeats;
+        words.push(format!("puts a sample more than once ({repeats} times, first at ({x}, {y}))"));
+    }
+    if let Some([(last_x, last_y), (x, y)]) = order.first_step_back {
+        let steps = order.steps_back;
+        words.push(format!("not in scan-line order ({steps} times, first from ({last_x}, {last_y}) to ({x}, {y}))"));
+    }
+    (!words.is_empty()).then(|| words.join("; "))
+}
+
+/// What a report on `lab` must say when nobody could watch: the picture alone does not show it.
+pub(super) fn unseen(subject: &dyn Subject, lab: &Lab) -> Option<String> {
+    let aspect = lab.aspects.iter().find(|aspect| aspect.watch == Watch::PutOnce)?;
+    (!subject.can_be_watched()).then(|| {
+        format!(
+            "`{}` was judged by the picture alone: in which order samples are put, and whether depth is read, shows only \
+             in a rasterizer that is part of this program",
+            aspect.name
+        )
+    })
 }
 
 /// The same list again, and in reverse order: the picture must not know.
@@ -32,16 +62,17 @@ fn kept_state(subject: &dyn Subject, shot: &Shot) -> Option<String> {
         return None;
     }
     let first = shot.picture()?;
-    let draw = |case: &Case| subject.draw(&case.list(subject.accepts()), &case.sheet()).ok();
-    if draw(&shot.case).is_some_and(|again| again.picture != *first) {
+    let mut turned = shot.case.clone();
+    turned.faces.reverse();
+    let lists = [&shot.case, &turned].map(|case| case.list(subject.accepts()));
+    let mut answers = subject.draw_all(&lists, &shot.case.sheet()).into_iter().map(Result::ok);
+    if answers.next()?.is_some_and(|again| again.picture != *first) {
         return Some("drawn twice, the same list gave two pictures: something is kept between calls".to_string());
     }
     if !shot.wrong.is_empty() {
         return None;
     }
-    let mut turned = shot.case.clone();
-    turned.faces.reverse();
-    let answer = draw(&turned)?;
+    let answer = answers.next()??;
     let count = wrong(&answer.picture, &paint(&turned, &Rules::default())).len();
     (count > 0).then(|| format!("with the list reversed, {count} samples are wrong: the picture depends on the order"))
 }

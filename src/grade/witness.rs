@@ -105,22 +105,30 @@ struct Shrinking<'a> {
 impl Shrinking<'_> {
     fn shrink(mut self, shot: &Shot) -> (Case, Picture) {
         let (mut case, mut picture) = (shot.case.clone(), None);
-        while let Some(smaller) = smaller(&case).into_iter().find_map(|smaller| self.fails(smaller)) {
-            case = smaller.0;
-            picture = Some(smaller.1);
+        while let Some(found) = self.first_failing(smaller(&case)) {
+            case = found.0;
+            picture = Some(found.1);
         }
         let picture = picture.or_else(|| shot.picture().cloned()).unwrap_or_else(|| Picture::filled(1, 1, [0; 3]));
         (case, picture)
     }
 
-    fn fails(&mut self, case: Case) -> Option<(Case, Picture)> {
-        self.tries += 1;
-        if self.tries > MOST_TRIES {
-            return None;
+    /// The first of `cases` that fails. Drawn together or one by one, the same is found after as many tries.
+    fn first_failing(&mut self, mut cases: Vec<Case>) -> Option<(Case, Picture)> {
+        cases.truncate(MOST_TRIES.saturating_sub(self.tries));
+        // All are made of one case, so they have one sheet.
+        let sheet = cases.first()?.sheet();
+        for cases in cases.chunks(self.subject.batch()) {
+            let lists: Vec<_> = cases.iter().map(|case| case.list(self.subject.accepts())).collect();
+            for (case, answer) in cases.iter().zip(self.subject.draw_all(&lists, &sheet)) {
+                self.tries += 1;
+                let picture = checked(answer, &paint(case, &Rules::default())).map(|answer| answer.picture);
+                if let Some(picture) = picture.ok().filter(|picture| self.goal.is_met(case, picture)) {
+                    return Some((case.clone(), picture));
+                }
+            }
         }
-        let answer = self.subject.draw(&case.list(self.subject.accepts()), &case.sheet());
-        let picture = checked(answer, &paint(&case, &Rules::default())).ok()?.picture;
-        self.goal.is_met(&case, &picture).then_some((case, picture))
+        None
     }
 }
 

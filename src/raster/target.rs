@@ -8,55 +8,18 @@
 //!
 //! Space: samples, row 0 on top. Depth: larger is nearer, 0 is infinitely far.
 
+use super::external::Confinement;
 use super::layers::{Layers, composite};
+use super::order::Watch;
+use super::put_counts::PutCounts;
 use crate::color::Rgb;
 use crate::image::Image;
 use crate::plan::Transparency;
 use crate::screen::Fragment;
-use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// The owner of samples that no polygon has been put on.
 const NOBODY: u32 = u32::MAX;
-
-/// What was put, for `--stats`.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct PutCounts {
-    /// Fragments put inside the picture.
-    pub puts: u64,
-    /// Opaque fragments put where an opaque one already was.
-    pub overdraw: u64,
-    /// Fragments outside the picture: dropped.
-    pub stray_writes: u64,
-    /// Samples of a picture that was finished elsewhere: nobody knows which polygon they show; see [`Target::show`].
-    pub shown: u64,
-    /// What the rasterizer itself counted, by name; see [`Target::count`].
-    pub own: BTreeMap<&'static str, u64>,
-    /// As `own`, for numbers of which only the largest matters; see [`Target::count_most`].
-    pub most: BTreeMap<&'static str, u64>,
-    /// Why there is no picture: a program outside farop that did not give one; see [`Target::fail`].
-    pub failure: Option<String>,
-    /// Something about how the picture came about that users should know; see [`Target::note`].
-    pub note: Option<String>,
-}
-
-impl std::ops::AddAssign for PutCounts {
-    fn add_assign(&mut self, other: Self) {
-        self.puts += other.puts;
-        self.overdraw += other.overdraw;
-        self.stray_writes += other.stray_writes;
-        self.shown += other.shown;
-        for (name, count) in other.own {
-            *self.own.entry(name).or_default() += count;
-        }
-        for (name, count) in other.most {
-            let most = self.most.entry(name).or_default();
-            *most = count.max(*most);
-        }
-        self.failure = self.failure.take().or(other.failure);
-        self.note = self.note.take().or(other.note);
-    }
-}
 
 /// The memory behind targets: depth, color and owner of every sample. Kept from frame to frame.
 #[derive(Clone, Debug, Default)]
@@ -84,8 +47,10 @@ impl Frame {
         self.owner.resize(samples, NOBODY);
         Target {
             width: size.0,
+            columns: size.0,
             height: size.1,
             rows,
+            watch: None,
             depth: &mut self.depth,
             color: &mut self.color,
             owner: &mut self.owner,
@@ -117,6 +82,9 @@ impl Frame {
 #[derive(Debug)]
 pub struct Target<'a> {
     width: u32,
+    /// Columns that [`Target::index`] finds: all of them. None while the target is watched: then every access takes the way of those
+    /// outside, which is rare otherwise, and only that way asks for a watch. So watching costs nothing where nobody watches.
+    columns: u32,
     height: u32,
     rows: Range<u32>,
     depth: &'a mut [f64],
@@ -127,6 +95,7 @@ pub struct Target<'a> {
     background: Rgb<f32>,
     counts: PutCounts,
     threads: u32,
+    watch: Option<Box<Watch>>,
 }
 
 impl Target<'_> {
@@ -163,7 +132,17 @@ impl Target<'_> {
     /// Depth of what was put last at sample (x, y); 0, infinitely far, where nothing was, and outside.
     #[must_use]
     pub fn depth(&self, x: i32, y: i32) -> f64 {
-        self.index(x, y).map_or(0.0, |index| self.depth[index])
+        match self.index(x, y) {
+            Some(index) => self.depth[index],
+            None => self.depth_outside(x, y),
+        }
+    }
+
+    /// The same target, which also notes in which order fragments are put and whether depth is read: [`PutCounts::order`].
+    #[must_use]
+    pub fn watched(self) -> Self {
+        let watch = Watch::new((self.width, self.height));
+        Target { columns: 0, watch: Some(Box::new(watch)), ..self }
     }
 
     /// Linear light behind everything.
@@ -181,7 +160,7 @@ impl Target<'_> {
     /// Shows `color` at sample (x, y): a piece of a picture that was finished elsewhere, by nobody knows which polygon. What is not
     /// in this target is dropped.
     pub fn show(&mut self, x: i32, y: i32, color: Rgb<f32>) {
-        if let Some(index) = self.index(x, y) {
+        if let Some(index) = self.index(x, y).or_else(|| self.watched_index(x, y)) {
             self.counts.shown += 1;
             self.color[index] = color;
         }
@@ -192,9 +171,9 @@ impl Target<'_> {
         self.counts.failure.get_or_insert_with(|| why.to_string());
     }
 
-    /// Something that `--stats` tells about how the picture came about.
-    pub fn note(&mut self, text: impl std::fmt::Display) {
-        self.counts.note.get_or_insert_with(|| text.to_string());
+    /// The picture comes from a program that was held `by` this: `--stats` prints it.
+    pub fn confined(&mut self, by: Confinement) {
+        self.counts.confinement.get_or_insert(by);
     }
 
     /// Adds `count` to what the rasterizer counts under `name`: `--stats` prints it.
@@ -210,12 +189,13 @@ impl Target<'_> {
 
     /// Shows `fragment`, whatever was there before. Opacity below 1 keeps it apart and leaves depth alone.
     pub fn put(&mut self, fragment: Fragment) {
-        let Some(index) = self.index(fragment.x, fragment.y) else {
-            // Rows of the picture that another target keeps are not stray.
-            let stray = !(0..self.width()).contains(&fragment.x) || !(0..self.height()).contains(&fragment.y);
-            self.counts.stray_writes += u64::from(stray);
-            return;
-        };
+        match self.index(fragment.x, fragment.y) {
+            Some(index) => self.put_at(index, fragment),
+            None => self.put_outside(fragment),
+        }
+    }
+
+    fn put_at(&mut self, index: usize, fragment: Fragment) {
         self.counts.puts += 1;
         if fragment.opacity != Rgb::gray(1.0) {
             self.layers.push(index, self.depth.len(), fragment);
@@ -225,6 +205,32 @@ impl Target<'_> {
         self.depth[index] = fragment.depth;
         self.color[index] = fragment.color;
         self.owner[index] = fragment.polygon;
+    }
+
+    /// A fragment that is not in the picture; or any, of a target that is watched.
+    #[cold]
+    fn put_outside(&mut self, fragment: Fragment) {
+        let index = self.watched_index(fragment.x, fragment.y);
+        if let (Some(index), Some(watch)) = (index, &mut self.watch) {
+            watch.put((fragment.x, fragment.y), fragment.opacity == Rgb::gray(1.0));
+            return self.put_at(index, fragment);
+        }
+        // Rows of the picture that another target keeps are not stray.
+        let stray = !(0..self.width()).contains(&fragment.x) || !(0..self.height()).contains(&fragment.y);
+        self.counts.stray_writes += u64::from(stray);
+    }
+
+    #[cold]
+    fn depth_outside(&self, x: i32, y: i32) -> f64 {
+        let (Some(index), Some(watch)) = (self.watched_index(x, y), &self.watch) else { return 0.0 };
+        watch.read((x, y));
+        self.depth[index]
+    }
+
+    /// As [`Target::index`], of a target that is watched.
+    fn watched_index(&self, x: i32, y: i32) -> Option<usize> {
+        self.watch.as_ref()?;
+        self.index_within(self.width, x, y)
     }
 
     /// Lets `draw` fill this target in `count` bands of rows on as many threads; the picture is the same as in one.
@@ -253,6 +259,7 @@ impl Target<'_> {
     /// Disjoint targets over equal shares of the rows.
     fn split(&mut self, count: u32) -> Vec<Target<'_>> {
         let (width, height, rule, background) = (self.width, self.height, self.rule, self.background);
+        let (columns, is_watched) = (self.columns, self.watch.is_some());
         let all = self.rows.clone();
         let rows_each = (all.len() as u32).div_ceil(count.max(1)).max(1);
         let samples_each = rows_each as usize * width as usize;
@@ -262,13 +269,31 @@ impl Target<'_> {
         let band = |(start, ((depth, color), owner)): (u32, _)| {
             let rows = start..(start + rows_each).min(all.end);
             let (layers, counts) = (Layers::default(), PutCounts::default());
-            Target { width, height, rows, depth, color, owner, layers, rule, background, counts, threads: 1 }
+            let watch = is_watched.then(|| Box::new(Watch::new((width, height))));
+            Target {
+                width,
+                columns,
+                height,
+                rows,
+                depth,
+                color,
+                owner,
+                layers,
+                rule,
+                background,
+                counts,
+                threads: 1,
+                watch,
+            }
         };
         starts.zip(memory).map(band).collect()
     }
 
     /// Blends the transparent fragments in front of each opaque sample, and tells what was put.
-    pub fn finish(self) -> PutCounts {
+    pub fn finish(mut self) -> PutCounts {
+        if let Some(watch) = self.watch.take() {
+            self.counts.order.get_or_insert_default().add(watch.order());
+        }
         if !self.layers.is_empty() {
             let mut sorted = Vec::new();
             for index in 0..self.depth.len() {
@@ -282,8 +307,12 @@ impl Target<'_> {
     }
 
     fn index(&self, x: i32, y: i32) -> Option<usize> {
+        self.index_within(self.columns, x, y)
+    }
+
+    fn index_within(&self, columns: u32, x: i32, y: i32) -> Option<usize> {
         let (column, row) = (u32::try_from(x).ok()?, u32::try_from(y).ok()?);
-        let inside = column < self.width && self.rows.contains(&row);
+        let inside = column < columns && self.rows.contains(&row);
         inside.then(|| (row - self.rows.start) as usize * self.width as usize + column as usize)
     }
 }

@@ -14,7 +14,7 @@ mod drawing;
 use super::rules::Rules;
 
 /// A mistake that students make.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct Mutant {
     /// The mistake's name, a few words; ways to make one mistake share it.
     pub name: &'static str,

@@ -62,10 +62,10 @@ struct Posed {
 }
 
 impl Posed {
-    /// In view, in front of hither, at any place and slant.
+    /// Wholly in view (an outline beyond the border is not judged), in front of hither, at any place and slant.
     fn random(kind: usize, random: &mut Random) -> Posed {
         let distance = random.between(3.0, 12.0);
-        let place = Vec3::new(random.between(-0.5, 0.5), random.between(-0.5, 0.5), -1.0) * distance;
+        let place = Vec3::new(random.between(-0.4, 0.4), random.between(-0.4, 0.4), -1.0) * distance;
         let mut part = |low: f64, high: f64| random.between(low, high) * distance;
         let shape = match kind {
             0 => Shape::Sphere { center: Vec3::ZERO, radius: part(0.03, 0.25) },

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 /// What a program may use to draw one picture.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Limits {
     /// Wall-clock time a picture.
     pub wall: Duration,
@@ -35,10 +35,14 @@ impl Default for Limits {
 }
 
 impl Limits {
+    /// Processor time: of several threads together it may be more than the wall-clock time.
+    fn processor_seconds(&self) -> u64 {
+        self.wall.as_secs().max(1) * 4
+    }
+
     /// As arguments of `farop __jail`; the other limits are the parent's business.
     pub(super) fn to_arguments(&self) -> Vec<std::ffi::OsString> {
-        let seconds = self.wall.as_secs().max(1) * 4;
-        let numbers = format!("{},{},{},{}", seconds, self.memory, self.file, self.processes);
+        let numbers = format!("{},{},{},{}", self.processor_seconds(), self.memory, self.file, self.processes);
         std::iter::once(numbers.into()).chain(self.readable.iter().map(|path| path.clone().into())).collect()
     }
 
@@ -81,6 +85,36 @@ impl Enforced {
     }
 }
 
+/// Limits, and which of them were in force while a picture was drawn.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Confinement {
+    /// What was asked for.
+    pub limits: Limits,
+    /// What the system enforced of it.
+    pub enforced: Enforced,
+}
+
+impl Confinement {
+    /// For programs: `null` in place of a limit that was not in force.
+    #[must_use]
+    pub fn json(&self) -> serde_json::Value {
+        let Confinement { limits, enforced } = self;
+        let resources = |limit: u64| enforced.resources.then_some(limit);
+        serde_json::json!({
+            "limits": {
+                "time_s": limits.wall.as_secs_f64(),
+                "output_bytes": limits.output,
+                "memory_bytes": resources(limits.memory),
+                "processor_time_s": resources(limits.processor_seconds()),
+                "processes": enforced.processes.then_some(limits.processes),
+            },
+            "network_denied": enforced.network,
+            "writes_denied": enforced.files,
+            "reads_confined": enforced.files && !limits.readable.is_empty(),
+        })
+    }
+}
+
 impl fmt::Display for Enforced {
     /// In one sentence, what was enforced and what was not.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -115,6 +149,18 @@ mod tests {
         let read = Limits::from_arguments(&limits.to_arguments()).expect("our own words");
         assert_eq!(read, Limits { wall: limits.wall * 4, ..limits });
         assert_eq!(Limits::from_arguments(&["1,2".into()]), None);
+    }
+
+    #[test]
+    fn a_limit_that_is_not_in_force_is_null() {
+        let enforced = Enforced { resources: true, files: true, ..Enforced::default() };
+        let json = Confinement { limits: Limits::default(), enforced }.json();
+        assert_eq!(
+            (&json["limits"]["memory_bytes"], &json["limits"]["processor_time_s"]),
+            (&(512 << 20).into(), &40.into())
+        );
+        assert!(json["limits"]["processes"].is_null());
+        assert_eq!([&json["network_denied"], &json["writes_denied"], &json["reads_confined"]], [false, true, false]);
     }
 
     #[test]

@@ -17,12 +17,14 @@ mod failure;
 mod jail;
 mod library;
 mod limits;
+mod misbehave;
 mod process;
 
 pub use failure::ExternalFailure;
 pub use jail::enter as enter_jail;
 pub use library::{layout as library_layout, serve as serve_library};
-pub use limits::{Enforced, Limits};
+pub use limits::{Confinement, Enforced, Limits};
+pub use misbehave::misbehave;
 
 use super::{Rasterizer, Target};
 use crate::color::{Encoding, Rgb};
@@ -139,7 +141,9 @@ impl External {
         }
     }
 
-    fn at_once(&self, lists: &[DrawList], sheet: &Sheet) -> Option<Vec<Answer>> {
+    /// The pictures of many lists from one run; `None` where there is fault with any of them, or the program draws only one.
+    #[must_use]
+    pub fn at_once(&self, lists: &[DrawList], sheet: &Sheet) -> Option<Vec<Answer>> {
         if lists.len() < 2 {
             return None;
         }
@@ -194,7 +198,7 @@ impl Rasterizer for External {
         let sheet = Sheet { background, transparency, ..Sheet::default() };
         match self.picture(list, &sheet) {
             Ok(answer) => {
-                target.note(answer.enforced);
+                target.confined(Confinement { limits: self.limits.clone(), enforced: answer.enforced });
                 show(&answer.image, target);
             }
             Err(failure) => target.fail(format!("{}: {failure}", self.name)),

@@ -11,6 +11,7 @@
 mod clip;
 mod coordinates;
 mod hierarchy;
+mod misbehaving;
 mod output;
 mod parse;
 mod polygons;
@@ -65,6 +66,9 @@ pub(super) fn run(effort: &Effort, report: &mut Report) {
         if seconds > slowest.0 {
             slowest = (seconds, number);
         }
+    }
+    if let Some(notice) = misbehaving::notice() {
+        report.count(format!("notice: {notice}"), 1);
     }
     let numbers: Vec<u32> = items.iter().map(|item| item.0).collect();
     if numbers != (1..=ITEMS as u32).collect::<Vec<_>>() {

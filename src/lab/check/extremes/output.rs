@@ -1,7 +1,7 @@
 //! Items 97 to 102: terrain, what is written, and rasterizers of others.
 
 use super::tools::ensure;
-use super::{Effort, Item, Outcome, Trial::NotYet, Trial::Run};
+use super::{Effort, Item, Outcome, Trial::NotYet, Trial::Run, misbehaving};
 use crate::image::save::{SaveError, write_streamed, write_whole};
 use std::io::{Error, ErrorKind};
 use std::path::Path;
@@ -14,7 +14,7 @@ pub(super) const ITEMS: &[Item] = &[
     (99, "a horizon 1e6 m away", NotYet(NO_TERRAIN)),
     (100, "1e6 trees, whatever their order", NotYet("there is no forest yet")),
     (101, "disk full, closed pipe, no memory: refused, no partial file", Run(writing)),
-    (102, "a student's rasterizer that misbehaves: contained and told", NotYet("rasterizers run unguarded")),
+    (102, "a student's rasterizer that misbehaves: contained and told", Run(|_| misbehaving::outcome())),
 ];
 
 fn writing(_: &Effort) -> Outcome {
