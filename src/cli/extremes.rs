@@ -16,7 +16,7 @@ pub(super) fn run(
     witness: Option<&Path>,
     as_json: bool,
 ) -> Result<(), CliError> {
-    if crate::grade::functions::is_about_function(lab) {
+    if super::grade::is_about_function(lab) {
         return Err(CliError::failed(format!(
             "the lab `{}` is about a function: --extremes is for rasterizers",
             lab.name

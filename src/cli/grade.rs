@@ -195,7 +195,7 @@ impl GradeCommand {
     }
 }
 
-fn is_about_function(lab: &Lab) -> bool {
+pub(super) fn is_about_function(lab: &Lab) -> bool {
     FUNCTION_LABS.iter().any(|function| function.name == lab.name)
 }
 
