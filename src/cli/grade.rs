@@ -16,7 +16,7 @@ use std::time::{Duration, SystemTime};
 /// Grade a rasterizer: points, the mistake by its name, the smallest case
 #[derive(Args)]
 #[command(
-    after_help = "Examples:\n  farop grade zbuffer -r mine --witness small.scr\n  farop grade clip --hint 1\n  farop grade zbuffer --pictures pictures"
+    after_help = "Examples:\n  farop grade zbuffer -r mine --witness small.scr\n  farop grade zbuffer --pictures pictures"
 )]
 pub(super) struct GradeCommand {
     /// Which lab (`farop list labs` has the names)

@@ -10,6 +10,9 @@
 //! does not depend on where the line stands, and a plain ordered set will do. Vertical edges take part because points are ordered
 //! by x and then by y, as if all were leaned over by a hair.
 //!
+//! Where edges lie on each other (spikes, bridges) the line may lose its order and miss a crossing: an outline that visits a place twice is
+//! asked pair by pair as well, if it is not too large.
+//!
 //! Not noticed: chains that change sides after they ran along each other over more than one edge.
 //!
 //! Space: the plane of the polygon. Source: M. I. Shamos and D. Hoey, "Geometric Intersection Problems", FOCS 1976.
@@ -24,6 +27,8 @@ use std::ops::Bound::{Excluded, Unbounded};
 
 /// Up to this many corners every edge is held against every other.
 const SMALL: usize = 32;
+/// And so they are up to this many, where corners share places.
+const LARGE: usize = 1024;
 /// In one place, up to this many visits are held against each other.
 const VISITS: usize = 64;
 
@@ -60,12 +65,21 @@ impl Crossing {
         if self.points.len() < 4 || self.is_convex() {
             return false;
         }
-        if self.points.len() > SMALL {
-            return self.sweeps_into_one() || self.visits_cross();
+        if self.points.len() <= SMALL {
+            return self.any_pair_meets() || self.visits_cross();
         }
-        let count = self.points.len() as u32;
+        let found = self.sweeps_into_one() || self.visits_cross();
+        found || (self.points.len() <= LARGE && self.visits_a_place_twice() && self.any_pair_meets())
+    }
+
+    fn any_pair_meets(&self) -> bool {
         let edge = |index| Edge::new(&self.points, index);
-        (0..count).any(|i| (0..i).any(|j| self.meet(&edge(j), &edge(i)))) || self.visits_cross()
+        (0..self.points.len() as u32).any(|i| (0..i).any(|j| self.meet(&edge(j), &edge(i))))
+    }
+
+    /// Whether two corners are in one place; they have been sorted.
+    fn visits_a_place_twice(&self) -> bool {
+        self.order.windows(2).any(|pair| self.points[pair[0] as usize] == self.points[pair[1] as usize])
     }
 
     /// Whether it turns one way only and goes from left to right and back once.

@@ -93,13 +93,10 @@ fn meets_a_center(a: (i64, i64), b: (i64, i64), steps: i64) -> bool {
     // In halves of a step, so that centers are whole even on a grid of whole samples.
     let [(ax, ay), (bx, by)] = [a, b].map(|(x, y)| (2 * x, 2 * y));
     let is_center = |coordinate: i64| coordinate.rem_euclid(2 * steps) == steps;
-    let first = (ay.min(by) - steps).div_euclid(2 * steps) + 1;
-    let mut rows = (first..).map(|row| row * 2 * steps + steps).take_while(|&y| y <= ay.max(by));
     // Rows whose center line passes at or below the upper end.
+    let first = (ay.min(by) + steps - 1).div_euclid(2 * steps);
+    let mut rows = (first..).map(|row| row * 2 * steps + steps).take_while(|&y| y <= ay.max(by));
     rows.any(|y| {
-        if y < ay.min(by) {
-            return false;
-        }
         if ay == by {
             let (low, high) = (ax.min(bx), ax.max(bx));
             return (low..=high).contains(&(low + (steps - low).rem_euclid(2 * steps)));

@@ -32,8 +32,8 @@ const PICTURES: [Picture; 8] = [
     Picture { scene: "mount", size: 4, choices: gouraud, hash: "b1ef70ea40df7a9d" },
     Picture { scene: "tetra", size: 4, choices: flat, hash: "3657278c1f445ef4" },
     Picture { scene: "tree", size: 3, choices: phong, hash: "8f71e6179865252f" },
-    Picture { scene: "rings", size: 2, choices: supersampled, hash: "b61b8108a0aaf335" },
-    Picture { scene: "jacks", size: 1, choices: unrounded, hash: "8cb1242a043f5e92" },
+    Picture { scene: "rings", size: 2, choices: supersampled, hash: "2c11fad7340fb51e" },
+    Picture { scene: "jacks", size: 1, choices: unrounded, hash: "0bc044c0cd9dac50" },
 ];
 
 const SIDE: u32 = 96;

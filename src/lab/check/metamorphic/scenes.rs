@@ -40,9 +40,8 @@ pub(super) fn start(case: &mut Case) -> Result<Option<Pair>, String> {
     for surface in &mut case.scene.surfaces {
         let mesh = &mut surface.mesh;
         mesh.polygons.iter_mut().for_each(|polygon| polygon.normals = NormalSource::Facet);
-        let (vertices, outlines) = (&mesh.vertices, &mesh.outlines);
-        mesh.polygons.retain(|p| !is_needle(&outlines[p.start as usize..(p.start + p.count) as usize], vertices));
     }
+    leave_out_needles(&mut case.scene);
     dull(case)?;
     let mut scene = case.scene.clone();
     for surface in &mut scene.surfaces {
@@ -53,6 +52,13 @@ pub(super) fn start(case: &mut Case) -> Result<Option<Pair>, String> {
         }
     }
     Ok(Some(case.rounded(drawn(&scene, &case.choices)?.image, false)))
+}
+
+fn leave_out_needles(scene: &mut Scene) {
+    for mesh in scene.surfaces.iter_mut().map(|surface| &mut surface.mesh) {
+        let (vertices, outlines) = (&mesh.vertices, &mesh.outlines);
+        mesh.polygons.retain(|p| !is_needle(&outlines[p.start as usize..(p.start + p.count) as usize], vertices));
+    }
 }
 
 /// Twice the area is less than a thousandth of the square of the extent.
@@ -76,12 +82,13 @@ fn uncut(case: &mut Case) -> Result<(), String> {
     dull(case)
 }
 
-/// Triangles, and every number in f64: of two equal diagonals a last digit picks one, and on a steep plane the last digits of f32 are more
+/// Triangles that are no needles, and every number in f64: of two equal diagonals a last digit picks one, and on a steep plane the last digits of f32 are more
 /// than [`super::SLACK`]. What f32 may cost is for the check `color` to say.
 fn steady(case: &mut Case) -> Result<(), String> {
     case.choices.depth = DepthFormat::F64;
     let plan = Plan::new(&case.scene, &case.choices, Accepts::AnyPolygon).map_err(|error| error.to_string())?;
     case.scene = flatten(&case.scene, &plan, true);
+    leave_out_needles(&mut case.scene);
     Ok(())
 }
 
