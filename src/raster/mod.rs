@@ -9,7 +9,9 @@
 pub mod coverage;
 mod exact_edge;
 pub mod external;
+pub mod fast;
 mod layers;
+mod pixels;
 mod registry;
 mod scanline;
 mod target;
@@ -17,6 +19,8 @@ pub mod watkins;
 mod wire;
 mod zbuffer;
 
+pub use fast::Fast;
+pub use pixels::Pixels;
 pub use registry::{Registered, Registry};
 pub use scanline::Scanline;
 pub use target::{Frame, PutCounts, Target};
@@ -43,6 +47,12 @@ pub trait Rasterizer {
     /// The polygons this algorithm can take; the plan splits the others into triangles.
     fn accepts(&self) -> Accepts {
         Accepts::AnyPolygon
+    }
+
+    /// Draws all of `pixels` without a target: for algorithms that finish one part of the picture after the other and need no
+    /// grid of samples in memory. `false`, and nothing drawn: `list` wants [`Rasterizer::draw`]. Most algorithms leave it at that.
+    fn draw_pixels(&self, _list: &DrawList, _pixels: &mut Pixels<'_>) -> bool {
+        false
     }
 }
 

@@ -3,7 +3,7 @@
 //! Why an explicit list: a student adds one line to the `main` of the own crate, and the whole command line works with
 //! it. Nothing is found by magic, so nothing is mysteriously missing.
 
-use super::{PerPolygon, Rasterizer, Scanline, Watkins, Wire, ZBuffer};
+use super::{Fast, PerPolygon, Rasterizer, Scanline, Watkins, Wire, ZBuffer};
 
 /// A rasterizer that can be asked for by name.
 pub struct Registered {
@@ -27,6 +27,7 @@ impl Registry {
     pub fn built_in() -> Registry {
         let none = Registry::default();
         none.add("zbuffer", "keeps the depth of the nearest polygon at every sample; the readable reference", ZBuffer)
+            .add("fast", "tile by tile, the z-buffer's bytes at the speed of the machine", Fast::default())
             .add("watkins", "scan line by scan line, span by span; every sample is put once", Watkins)
             .add(
                 "scanline",
