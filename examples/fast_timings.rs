@@ -13,6 +13,7 @@ use farop::scene::{Camera, Light, Material, Mesh, NormalSource, Object, ObjectId
 use farop::screen::DrawList;
 use farop::spd::{self, Curves};
 use farop::parse::{ParseOptions, read_nff};
+use nix::time::{ClockId, clock_gettime};
 use std::time::Instant;
 
 const SIDE: u32 = 1024;
@@ -106,6 +107,24 @@ fn fill() -> Scene {
     scene_of(mesh)
 }
 
+/// Milliseconds: of the processor on one thread, of the clock on several.
+struct Stopwatch(Instant, f64, bool);
+
+fn processor() -> f64 {
+    let time = clock_gettime(ClockId::CLOCK_THREAD_CPUTIME_ID).expect("the clock is there");
+    time.tv_sec() as f64 * 1e3 + time.tv_nsec() as f64 / 1e6
+}
+
+impl Stopwatch {
+    fn start(threads: u32) -> Stopwatch {
+        Stopwatch(Instant::now(), processor(), threads == 1)
+    }
+
+    fn stop(&self) -> f64 {
+        if self.2 { processor() - self.1 } else { self.0.elapsed().as_secs_f64() * 1e3 }
+    }
+}
+
 fn median(values: &mut [f64]) -> f64 {
     values.sort_by(f64::total_cmp);
     values[values.len() / 2]
@@ -157,6 +176,44 @@ fn cases(threads: u32, only: &str) -> Vec<Case> {
     cases
 }
 
+/// What each trick buys: the same list with one of them left out.
+fn each_trick(rounds: usize, threads: u32, only: &str) {
+    let without = |change: fn(&mut Fast)| {
+        let mut fast = Fast::default();
+        change(&mut fast);
+        fast
+    };
+    let ways: Vec<(&str, Fast)> = vec![
+        ("all", Fast::default()),
+        ("no tiny", without(|fast| fast.shortcuts.tiny = false)),
+        ("no blocks", without(|fast| fast.shortcuts.blocks = false)),
+        ("no far", without(|fast| fast.shortcuts.far = false)),
+        ("sse2", without(|fast| fast.instructions = Instructions::Baseline)),
+        ("plain", without(|fast| fast.instructions = Instructions::Plain)),
+        ("tile 16", without(|fast| fast.tile_side = 16)),
+        ("tile 32", without(|fast| fast.tile_side = 32)),
+        ("tile 128", without(|fast| fast.tile_side = 128)),
+        ("tile 256", without(|fast| fast.tile_side = 256)),
+    ];
+    println!("{:<22}{}", "case", ways.iter().map(|(name, _)| format!("{name:>10}")).collect::<String>());
+    for case in cases(threads, only) {
+        let mut image = Image::new(SIDE as usize, SIDE as usize, Rgb::gray(0.0));
+        let mut times = vec![Vec::new(); ways.len()];
+        for round in 0..=rounds {
+            for (times, (_, fast)) in times.iter_mut().zip(&ways) {
+                let start = Stopwatch::start(threads);
+                draw_pixels(&case.list, fast, &case.canvas, &mut image);
+                // The first round warms up.
+                if round > 0 {
+                    times.push(start.stop());
+                }
+            }
+        }
+        let columns: String = times.iter_mut().map(|times| format!("{:>10.2}", median(times))).collect();
+        println!("{:<22}{columns}", case.name);
+    }
+}
+
 fn main() {
     let argument = |number: usize| std::env::args().nth(number);
     let rounds: usize = argument(1).and_then(|text| text.parse().ok()).unwrap_or(5);
@@ -164,6 +221,9 @@ fn main() {
     let only = argument(3).unwrap_or_default();
     let with_zbuffer = argument(4).as_deref() != Some("fast");
     let ways = [("best", Fast::new(64, Instructions::Best)), ("sse2", Fast::new(64, Instructions::Baseline))];
+    if argument(4).as_deref() == Some("each") {
+        return each_trick(rounds, threads, &only);
+    }
     println!("{threads} threads, medians of {rounds} interleaved rounds, raster milliseconds");
     println!("{:<22} {:>9} {:>9} {:>9} {:>7} {:>9}", "case", "polygons", "zbuffer", "fast", "ratio", "fast sse2");
     for case in cases(threads, &only) {
@@ -172,16 +232,16 @@ fn main() {
         let (reference, _) = draw(&case.list, Some(&ZBuffer as &dyn Rasterizer), &case.canvas);
         for _ in 0..rounds {
             if with_zbuffer {
-                let start = Instant::now();
+                let start = Stopwatch::start(threads);
                 let drawn = draw(&case.list, Some(&ZBuffer as &dyn Rasterizer), &case.canvas);
-                times[0].push(start.elapsed().as_secs_f64() * 1e3);
+                times[0].push(start.stop());
                 drop(drawn);
             }
             for (index, (_, fast)) in ways.iter().enumerate() {
                 for _ in 0..2 {
-                    let start = Instant::now();
+                    let start = Stopwatch::start(threads);
                     draw_pixels(&case.list, fast, &case.canvas, &mut image);
-                    times[index + 1].push(start.elapsed().as_secs_f64() * 1e3);
+                    times[index + 1].push(start.stop());
                 }
             }
         }

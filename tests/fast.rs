@@ -55,7 +55,7 @@ fn built_in_scenes() {
 
 #[test]
 fn random_scenes() {
-    let (mut total, mut edges, mut spans) = (Census::default(), 0, 0);
+    let (mut total, mut edges, mut spans, mut samples) = (Census::default(), 0, 0, 0);
     for seed in 1..=400 {
         let mix = Mix {
             seed,
@@ -91,8 +91,9 @@ fn random_scenes() {
         total += census(&rendered.list);
         edges += rendered.puts.own["polygons in tiles, by edges"];
         spans += rendered.puts.own["polygons in tiles, by spans"];
+        samples += rendered.puts.own["polygons in tiles, sample by sample"];
     }
-    assert!(edges > 2000 && spans > 2000, "{edges} {spans}");
+    assert!(edges > 2000 && spans > 2000 && samples > 2000, "{edges} {spans} {samples}");
     assert!(total.exact_ties > 1000 && total.transparent_samples > 1000, "{total:?}");
 }
 

@@ -100,6 +100,7 @@ impl Plane {
 
     /// The value at the center of sample (x, y), not clamped. Exactly an `f32` unless evaluated in `f64`.
     #[must_use]
+    #[inline]
     pub fn at(&self, x: i32, y: i32) -> f64 {
         match self.evaluation {
             // Only the outline knows a value that runs along scan lines; alone, its least one is as good as any.
@@ -118,35 +119,43 @@ impl Plane {
     /// The value at the center of sample (x, y), within the range at the vertices: a sample outside the true outline
     /// (snapping moved an edge over it) must not see the plane run away.
     #[must_use]
+    #[inline]
     pub fn clamped_at(&self, x: i32, y: i32) -> f64 {
         self.clamp(self.at(x, y))
     }
 
     /// Brings a value into the range at the vertices.
     #[must_use]
+    #[inline]
     pub fn clamp(&self, value: f64) -> f64 {
         value.hold(self.low, self.high)
     }
 
     /// The plane at the first sample (x, y) of a block, rounded once: what [`in_block`] starts from.
     #[must_use]
+    #[inline]
     pub fn anchor(&self, x: i32, y: i32) -> f32 {
         self.exact(x, y) as f32
     }
 
     /// Change per sample to the right and down, for [`in_block`].
     #[must_use]
+    #[inline]
     pub fn slope(&self) -> [f32; 2] {
         [self.a as f32, self.b as f32]
     }
 
     /// Whether every number that it is evaluated to is anchored at blocks or constant, and an `f32`: then lanes of `f32` do.
     #[must_use]
+    #[inline]
     pub fn fits_single(&self) -> bool {
         let single = |number: f64| number == f64::from(number as f32);
         let anchored = match self.evaluation {
             Evaluation::Blocks => true,
-            Evaluation::Constant => single(self.c) && self.a == 0.0 && self.b == 0.0,
+            // Not -0, which a sum with 0 turns into 0.
+            Evaluation::Constant => {
+                single(self.c) && self.a == 0.0 && self.b == 0.0 && self.c.to_bits() != (-0.0f64).to_bits()
+            }
             Evaluation::Samples | Evaluation::Double | Evaluation::ScanLine => false,
         };
         anchored && single(self.low) && single(self.high)
@@ -172,6 +181,7 @@ impl Plane {
         [self.a, self.b, self.c, self.low, self.high].iter().all(|number| number.is_finite())
     }
 
+    #[inline]
     fn exact(&self, x: i32, y: i32) -> f64 {
         self.a * (f64::from(x) + 0.5) + self.b * (f64::from(y) + 0.5) + self.c
     }

@@ -16,11 +16,13 @@ mod coverage;
 mod cts;
 mod depth;
 mod extremes;
+mod fast;
 mod fuzz;
 mod hash;
 mod metamorphic;
 mod predicates;
 mod random;
+mod random_meshes;
 mod random_scenes;
 mod report;
 mod rings;
@@ -87,6 +89,11 @@ pub const CHECKS: &[Check] = &[
         name: "agree",
         claim: "the z-buffer, Watkins and the exact oracle show the same polygon at every sample",
         run: agree::run,
+    },
+    Check {
+        name: "fast",
+        claim: "the fast rasterizer draws the z-buffer's bytes, whatever the threads, tiles and instructions",
+        run: fast::run,
     },
     Check {
         name: "depth",

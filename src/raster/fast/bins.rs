@@ -8,7 +8,7 @@
 //! Space: samples; corners in 1/256 of a sample.
 //! Cost: some 10 ns a polygon; 4 bytes a polygon and tile it touches.
 
-use super::edges;
+use super::edges::{are_in_range, make_ready};
 use super::layout::Layout;
 use crate::color::Rgb;
 use crate::raster::exact_edge::first_center_from;
@@ -26,6 +26,8 @@ pub(super) const MOST_EDGES: usize = 8;
 pub(super) enum Way {
     /// By whole-number edge functions, depth in `f32` from anchors at blocks: many samples at a time.
     Edges,
+    /// By the z-buffer's spans, depth as before: outlines that are not convex, or lie on a finer grid or on none.
+    Runs,
     /// As the z-buffer does it: spans, and one evaluation a sample.
     Spans,
 }
@@ -75,8 +77,7 @@ impl Segment {
     fn bin(&mut self, shape: Shape, layout: &Layout) {
         let number = self.shapes.len() as u32;
         self.shapes.push(shape);
-        let [columns, rows] =
-            layout.touched(&(shape.columns[0]..shape.columns[1]), &(shape.rows[0]..shape.rows[1]));
+        let [columns, rows] = layout.touched(shape.columns, shape.rows);
         for row in rows {
             for column in columns.clone() {
                 self.bins[row * layout.columns + column].push(number);
@@ -85,53 +86,74 @@ impl Segment {
     }
 
     /// The polygon made ready; `None` where it covers no sample.
+    #[inline]
     fn shape(&mut self, list: &DrawList, index: usize, layout: &Layout) -> Option<Shape> {
         let polygon = list.polygon(index);
-        let (columns, rows) = bounds(&polygon, list)?;
+        let first_corner = self.corners.len();
+        let on_grid = list.grid.bits <= BITS && polygon.vertices().len() <= MOST_EDGES;
+        let (columns, rows, edges) = if on_grid {
+            let (least, most) = self.push_corners(polygon.vertices())?;
+            let columns = [first_center(least[0]), first_center(most[0])];
+            let rows = [first_center(least[1]), first_center(most[1])];
+            (columns, rows, are_in_range(least, most, layout.side))
+        } else {
+            let (columns, rows) = bounds(&polygon, list)?;
+            (columns, rows, false)
+        };
         let columns = [columns[0].max(0), columns[1].min(layout.width)];
         let rows = [rows[0].max(layout.rows.start), rows[1].min(layout.rows.end)];
         if columns[0] >= columns[1] || rows[0] >= rows[1] {
+            self.corners.truncate(first_corner);
             return None;
         }
-        let transparent = is_transparent(list, &polygon);
-        let first_corner = self.corners.len();
         let depth = *polygon.depth_plane()?;
-        let edges = !transparent && has_single_depth(list, &depth) && self.push_corners(polygon.vertices(), list, layout);
+        let single = has_single_depth(list, &depth);
+        let edges = edges && single && make_ready(&mut self.corners, first_corner);
+        if !edges {
+            self.corners.truncate(first_corner);
+        }
         let corner_count = (self.corners.len() - first_corner) as u8;
-        let way = if edges { Way::Edges } else { Way::Spans };
         if edges && corner_count == 0 {
             return None;
         }
-        let first_corner = first_corner as u32;
+        let way = match (edges, single) {
+            (true, _) => Way::Edges,
+            (false, true) => Way::Runs,
+            (false, false) => Way::Spans,
+        };
+        let (first_corner, transparent) = (first_corner as u32, is_transparent(list, &polygon));
         Some(Shape { polygon: index as u32, first_corner, corner_count, way, transparent, columns, rows, depth })
     }
 
-    /// Adds the corners of an outline that edge functions can decide, and says whether they can. An outline without area adds none.
-    fn push_corners(&mut self, outline: &[ScreenVertex], list: &DrawList, layout: &Layout) -> bool {
-        if list.grid.bits > BITS || outline.len() > MOST_EDGES {
-            return false;
+    /// Adds the corners of an outline, and returns the box around them; none is added where there are none.
+    #[inline]
+    fn push_corners(&mut self, outline: &[ScreenVertex]) -> Option<([i32; 2], [i32; 2])> {
+        let (mut least, mut most) = ([i32::MAX; 2], [i32::MIN; 2]);
+        for vertex in outline {
+            let [x, y] = [fixed(vertex.x), fixed(vertex.y)];
+            least = [least[0].min(x), least[1].min(y)];
+            most = [most[0].max(x), most[1].max(y)];
+            self.corners.push([x, y]);
         }
-        let first = self.corners.len();
-        self.corners.extend(outline.iter().map(|vertex| [vertex.x, vertex.y].map(fixed)));
-        let kept = edges::make_ready(&mut self.corners, first, layout.side);
-        if !kept {
-            self.corners.truncate(first);
-        }
-        kept
+        (!outline.is_empty()).then_some((least, most))
     }
 }
 
 /// A coordinate in 1/256 of a sample; exact on grids of up to 8 bits.
+#[inline]
 fn fixed(snapped: f64) -> i32 {
     (snapped * f64::from(1 << BITS)) as i32
 }
 
-/// Whether depth is 1/w itself and lanes of `f32` evaluate it.
-fn has_single_depth(list: &DrawList, plane: &Plane) -> bool {
-    list.precision == Precision::Single && list.depth_mapping.format == DepthFormat::F32 && plane.fits_single()
+/// The first column (or row) whose center is at or after a coordinate in 1/256 of a sample.
+#[inline]
+fn first_center(fixed: i32) -> i32 {
+    const HALF: i32 = 1 << (BITS - 1);
+    fixed.saturating_add(HALF - 1) >> BITS
 }
 
 /// Whether the target keeps its fragments apart.
+#[inline]
 fn is_transparent(list: &DrawList, polygon: &ScreenPolygon<'_>) -> bool {
     list.shader.opacity(polygon) != Rgb::gray(1.0)
 }
@@ -140,29 +162,23 @@ fn is_transparent(list: &DrawList, polygon: &ScreenPolygon<'_>) -> bool {
 ///
 /// A covered center is at or right of a left edge and strictly left of a right one, so between the outermost corners by the same rule.
 fn bounds(polygon: &ScreenPolygon<'_>, list: &DrawList) -> Option<([i32; 2], [i32; 2])> {
+    let center = |vertex: &ScreenVertex| {
+        let corner = vertex.homogeneous;
+        if list.grid.is_exact() {
+            return [corner.x, corner.y].map(|along| first_center_from(along, corner.z) as i32);
+        }
+        // Exact: coordinates have at most 16 bits behind the point, and half a sample is on any finer grid.
+        [vertex.x, vertex.y].map(|along| (along - 0.5).ceil() as i32)
+    };
     let mut vertices = polygon.vertices().iter();
-    if list.grid.is_exact() {
-        let centers = |vertex: &ScreenVertex| {
-            let corner = vertex.homogeneous;
-            [corner.x, corner.y].map(|along| first_center_from(along, corner.z) as i32)
-        };
-        let first = centers(vertices.next()?);
-        let reach = vertices.map(centers).fold([first, first], |[least, most], [x, y]| {
-            [[least[0].min(x), least[1].min(y)], [most[0].max(x), most[1].max(y)]]
-        });
-        return Some(([reach[0][0], reach[1][0]], [reach[0][1], reach[1][1]]));
-    }
-    let first = vertices.next()?;
-    let start = [first.x, first.y];
-    let [least, most] = vertices.fold([start, start], |[least, most], vertex| {
-        [[least[0].min(vertex.x), least[1].min(vertex.y)], [most[0].max(vertex.x), most[1].max(vertex.y)]]
+    let first = center(vertices.next()?);
+    let reach = vertices.map(center).fold([first, first], |[least, most], [x, y]| {
+        [[least[0].min(x), least[1].min(y)], [most[0].max(x), most[1].max(y)]]
     });
-    let [left, top, right, bottom] = [least[0], least[1], most[0], most[1]].map(first_column);
-    Some(([left, right], [top, bottom]))
+    Some(([reach[0][0], reach[1][0]], [reach[0][1], reach[1][1]]))
 }
 
-/// The first column (or row) whose center is at or after `coordinate`.
-fn first_column(coordinate: f64) -> i32 {
-    // Exact: coordinates have at most 16 bits behind the point, and half a sample fits into any grid of `f64`.
-    (coordinate - 0.5).ceil() as i32
+/// Whether depth is 1/w itself and lanes of `f32` evaluate it.
+fn has_single_depth(list: &DrawList, plane: &Plane) -> bool {
+    list.precision == Precision::Single && list.depth_mapping.format == DepthFormat::F32 && plane.fits_single()
 }

@@ -27,6 +27,7 @@ pub(super) struct Edge {
 
 impl Edge {
     /// The edge from `from` to `to`, seen from the sample (x, y).
+    #[inline(always)]
     pub fn new(from: [i32; 2], to: [i32; 2], (x, y): (i32, i32)) -> Edge {
         let (dx, dy) = (i64::from(to[0]) - i64::from(from[0]), i64::from(to[1]) - i64::from(from[1]));
         let center = |sample: i32| (i64::from(sample) << BITS) + (1 << (BITS - 1));
@@ -39,17 +40,25 @@ impl Edge {
 }
 
 /// Brings the corners from `first` on into the form that edges are made of: no corner twice, inside on the right. Says whether the
-/// outline is convex and small enough; one without area loses all its corners.
-pub(super) fn make_ready(corners: &mut Vec<[i32; 2]>, first: usize, side: i32) -> bool {
-    drop_repeated(corners, first);
-    let outline = &mut corners[first..];
-    if !is_in_range(outline, side) {
-        return false;
+/// outline is convex; one without area loses all its corners.
+#[inline]
+pub(super) fn make_ready(corners: &mut Vec<[i32; 2]>, first: usize) -> bool {
+    if let &[a, b, c] = &corners[first..] {
+        let [u, v] = [between(a, b), between(b, c)];
+        let cross = u[0] * v[1] - u[1] * v[0];
+        if cross < 0 {
+            corners[first..].reverse();
+        }
+        if cross == 0 {
+            corners.truncate(first);
+        }
+        return true;
     }
-    match turn(outline) {
+    drop_repeated(corners, first);
+    match turn(&corners[first..]) {
         Turn::Right => true,
         Turn::Left => {
-            outline.reverse();
+            corners[first..].reverse();
             true
         }
         Turn::Flat => {
@@ -58,6 +67,11 @@ pub(super) fn make_ready(corners: &mut Vec<[i32; 2]>, first: usize, side: i32) -
         }
         Turn::Both => false,
     }
+}
+
+#[inline]
+fn between(from: [i32; 2], to: [i32; 2]) -> [i64; 2] {
+    [i64::from(to[0]) - i64::from(from[0]), i64::from(to[1]) - i64::from(from[1])]
 }
 
 /// Drops corners that are where the one before is.
@@ -75,16 +89,14 @@ fn drop_repeated(corners: &mut Vec<[i32; 2]>, first: usize) {
     corners.truncate(kept);
 }
 
-fn is_in_range(outline: &[[i32; 2]], side: i32) -> bool {
-    let most = MOST_STEPS / i64::from(side);
-    (0..2).all(|axis| {
-        let along = outline.iter().map(|corner| i64::from(corner[axis]));
-        let (least, greatest) = along.fold((i64::MAX, i64::MIN), |(least, greatest), place| {
-            (least.min(place), greatest.max(place))
-        });
-        // Coordinates themselves are held within i32 when they are made; a picture has at most 2^22 samples of 2^8 steps.
-        least > -CLAMP && greatest <= CLAMP && greatest - least <= most
-    })
+/// Whether edge functions of an outline between `least` and `most` keep within 32 bits in tiles of `side` samples.
+#[inline]
+pub(super) fn are_in_range(least: [i32; 2], most: [i32; 2], side: i32) -> bool {
+    let reach = MOST_STEPS / i64::from(side);
+    // A picture has at most 2^22 samples of 2^8 steps.
+    let held = |axis: usize| i64::from(least[axis]) > -CLAMP && i64::from(most[axis]) <= CLAMP;
+    let [width, height] = between(least, most);
+    held(0) && held(1) && width <= reach && height <= reach
 }
 
 /// How an outline turns.
@@ -102,10 +114,7 @@ fn turn(outline: &[[i32; 2]]) -> Turn {
     if count < 3 {
         return Turn::Flat;
     }
-    let step = |index: usize| {
-        let (from, to) = (outline[index % count], outline[(index + 1) % count]);
-        [0, 1].map(|axis| i64::from(to[axis]) - i64::from(from[axis]))
-    };
+    let step = |index: usize| between(outline[index % count], outline[(index + 1) % count]);
     let (mut right, mut left, mut back, mut reversals) = (false, false, false, 0);
     let mut last_down = 0;
     for index in 0..=count {

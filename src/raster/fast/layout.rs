@@ -27,6 +27,8 @@ pub(super) struct Layout {
     first_row: i32,
     /// Rows of tiles.
     tile_rows: usize,
+    /// 2^32 / side, rounded up: a product in place of a quotient.
+    inverse_side: u64,
 }
 
 /// One tile's samples, cut at the picture.
@@ -43,7 +45,8 @@ impl Layout {
         let end_row = rows.end.max(rows.start).div_euclid(side) + i32::from(rows.end % side != 0);
         let columns = (width.max(0) as usize).div_ceil(side as usize);
         let tile_rows = (end_row - first_row).max(0) as usize;
-        Layout { width, rows, side, columns, first_row, tile_rows }
+        let inverse_side = (1_u64 << 32).div_ceil(side as u64);
+        Layout { width, rows, side, columns, first_row, tile_rows, inverse_side }
     }
 
     /// How many tiles there are.
@@ -60,11 +63,19 @@ impl Layout {
     }
 
     /// The tiles that a box of samples inside the picture touches: columns, rows of tiles from the first one.
-    pub fn touched(&self, columns: &Range<i32>, rows: &Range<i32>) -> [Range<usize>; 2] {
-        let tile = |first: i32, range: &Range<i32>| {
-            ((range.start / self.side) - first) as usize..((range.end - 1) / self.side - first + 1) as usize
-        };
-        [tile(0, columns), tile(self.first_row, rows)]
+    #[inline]
+    pub fn touched(&self, columns: [i32; 2], rows: [i32; 2]) -> [Range<usize>; 2] {
+        let first_row = self.first_row as usize;
+        [
+            self.tile(columns[0])..self.tile(columns[1] - 1) + 1,
+            self.tile(rows[0]) - first_row..self.tile(rows[1] - 1) - first_row + 1,
+        ]
+    }
+
+    /// A column or row of samples, divided by the side. Exact below 2^32 / 256: the rounded inverse is off by less than 1 / 2^32.
+    #[inline]
+    fn tile(&self, sample: i32) -> usize {
+        ((sample as u64 * self.inverse_side) >> 32) as usize
     }
 }
 
@@ -94,10 +105,21 @@ mod tests {
                 for y in area.rows.clone() {
                     area.columns.clone().for_each(|x| assert!(seen.insert((x, y)), "{x} {y}"));
                 }
-                let [columns, rows] = layout.touched(&area.columns, &area.rows);
+                let [columns, rows] = layout.touched([area.columns.start, area.columns.end], [area.rows.start, area.rows.end]);
                 assert_eq!((columns.start, columns.len(), rows.start, rows.len()), (tile % layout.columns, 1, tile / layout.columns, 1));
             }
             assert_eq!(seen.len(), (width.max(0) * rows.len() as i32) as usize);
+        }
+    }
+
+    #[test]
+    fn products_divide_exactly() {
+        for side in (8..=256).step_by(8) {
+            let layout = Layout::new(1 << 22, 0..1 << 22, side);
+            let near = (0..1 << 14).map(|tile| tile * side as i32).filter(|&sample| sample > 0 && sample <= 1 << 22);
+            for sample in near {
+                assert_eq!([layout.tile(sample - 1), layout.tile(sample)], [sample - 1, sample].map(|x| (x / side as i32) as usize));
+            }
         }
     }
 

@@ -19,6 +19,23 @@ pub enum Instructions {
     Best,
 }
 
+/// Shortcuts that save time and change nothing; each can be left out, to measure it and to test what is behind it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shortcuts {
+    /// Boxes of up to four samples are drawn one sample after the other, not eight at a time.
+    pub tiny: bool,
+    /// Blocks outside an edge are left out; inside all edges, edges are not looked at.
+    pub blocks: bool,
+    /// Blocks in which a polygon is nowhere nearer than the farthest that is there are left out.
+    pub far: bool,
+}
+
+impl Default for Shortcuts {
+    fn default() -> Self {
+        Shortcuts { tiny: true, blocks: true, far: true }
+    }
+}
+
 impl Instructions {
     /// All of them, slowest first.
     pub const ALL: [Instructions; 4] =

@@ -14,6 +14,7 @@
 //! Cost: see `docs/fast.md`.
 
 mod bins;
+mod color;
 mod cover;
 mod edges;
 mod lanes;
@@ -23,7 +24,7 @@ mod shade;
 mod sink;
 mod tile;
 
-pub use level::Instructions;
+pub use level::{Instructions, Shortcuts};
 
 use self::bins::Segment;
 use self::layout::{LARGEST_SIDE, Layout, side_of_whole_pixels};
@@ -42,6 +43,8 @@ pub struct Fast {
     pub tile_side: u32,
     /// Instructions of the inner loops. The picture does not depend on it.
     pub instructions: Instructions,
+    /// Shortcuts of the inner loops. The picture does not depend on them.
+    pub shortcuts: Shortcuts,
     /// Memory of earlier pictures; its contents count for nothing.
     pool: Mutex<Vec<Memory>>,
 }
@@ -67,13 +70,14 @@ struct Job<'a> {
     behind: Behind,
     threads: usize,
     instructions: Instructions,
+    shortcuts: Shortcuts,
 }
 
 impl Fast {
     /// For tiles of `tile_side` samples.
     #[must_use]
     pub fn new(tile_side: u32, instructions: Instructions) -> Fast {
-        Fast { tile_side, instructions, pool: Mutex::default() }
+        Fast { tile_side, instructions, shortcuts: Shortcuts::default(), pool: Mutex::default() }
     }
 
     fn run(&self, job: &Job<'_>, sink: &(impl Sink<f32> + Sink<f64>)) -> PutCounts {
@@ -87,7 +91,8 @@ impl Fast {
         let mut puts = PutCounts { puts: counts.puts, ..PutCounts::default() };
         puts.own.insert("tiles", job.layout.tiles() as u64);
         puts.own.insert("polygons in tiles, by edges", counts.edges);
-        puts.own.insert("polygons in tiles, by spans", counts.spans);
+        puts.own.insert("polygons in tiles, by spans", counts.runs);
+        puts.own.insert("polygons in tiles, sample by sample", counts.spans);
         puts
     }
 }
@@ -107,6 +112,7 @@ impl Job<'_> {
     fn draw<D: Depth>(&self, segments: &[Segment], tiles: &mut Vec<Tile<D>>, sink: &impl Sink<D>) -> Counts {
         tiles.resize_with(self.threads, Tile::new);
         let next = AtomicUsize::new(0);
+        let level = self.instructions.level();
         in_threads(tiles.iter_mut().collect(), |tile: &mut Tile<D>| {
             tile.counts = Counts::default();
             loop {
@@ -114,9 +120,10 @@ impl Job<'_> {
                 if number >= self.layout.tiles() {
                     break;
                 }
+                tile.shortcuts = self.shortcuts;
                 tile.clear(self.layout.area(number), self.layout.side as usize);
-                tile.draw(self.list, segments, number, self.instructions.level());
-                tile.shade(self.list, self.behind);
+                tile.draw(self.list, segments, number, level);
+                tile.shade(self.list, self.behind, level);
                 sink.take(tile);
             }
         });
@@ -145,7 +152,7 @@ impl Rasterizer for Fast {
         let layout = Layout::new(target.width(), target.row_range(), side);
         let behind = Behind { background: target.background(), rule: target.transparency() };
         let threads = target.threads().max(1) as usize;
-        let job = Job { list, layout, behind, threads, instructions: self.instructions };
+        let job = Job { list, layout, behind, threads, instructions: self.instructions, shortcuts: self.shortcuts };
         let counts = self.run(&job, &Samples(Mutex::new(&mut *target)));
         counts.own.into_iter().for_each(|(name, count)| target.count(name, count));
     }
@@ -157,7 +164,7 @@ impl Rasterizer for Fast {
         let layout = Layout::new(list.width as i32, 0..list.height as i32, side);
         let behind = Behind { background: pixels.background, rule: pixels.rule };
         let threads = pixels.threads.max(1) as usize;
-        let job = Job { list, layout, behind, threads, instructions: self.instructions };
+        let job = Job { list, layout, behind, threads, instructions: self.instructions, shortcuts: self.shortcuts };
         let counts = self.run(&job, &PixelRows::new(pixels, side));
         pixels.counts += counts;
         true

@@ -9,12 +9,13 @@
 //! Cost: 8 bytes a sample, 12 with `f64` depth.
 
 use super::bins::{Segment, Shape, Way};
-use super::cover::{self, Samples};
+use super::cover::{self, Run, Samples, blocks_across};
 use super::layout::Area;
+use super::level::Shortcuts;
 use crate::color::Rgb;
 use crate::raster::coverage::Spans;
 use crate::raster::layers::Layers;
-use crate::screen::{DrawList, Fragment, ScreenPolygon};
+use crate::screen::{DrawList, ScreenPolygon};
 use fearless_simd::Level;
 
 /// The owner of samples that no polygon shows on.
@@ -64,10 +65,26 @@ pub(super) struct Tile<D> {
     pub stride: usize,
     pub depth: Vec<D>,
     pub owner: Vec<u32>,
+    /// Per block, a bound: no sample of it is farther.
+    far: Vec<f32>,
+    /// Transparent fragments, as they came.
+    pub veils: Vec<Veil>,
+    /// Those of them that are blended.
     pub layers: Layers,
+    runs: Vec<Run>,
     /// What the samples show, when they are shaded.
     pub light: Vec<Rgb<f32>>,
     pub counts: Counts,
+    pub shortcuts: Shortcuts,
+}
+
+/// A transparent fragment: kept apart, it leaves depth alone.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Veil {
+    /// Where its sample is kept.
+    pub index: u32,
+    pub polygon: u32,
+    pub depth: f64,
 }
 
 /// What was done, for `--stats`.
@@ -79,12 +96,15 @@ pub(super) struct Counts {
     pub spans: u64,
     /// Polygon and tile pairs drawn by edges.
     pub edges: u64,
+    /// Polygon and tile pairs drawn by spans and lanes.
+    pub runs: u64,
 }
 
 impl std::ops::Add for Counts {
     type Output = Counts;
     fn add(self, other: Counts) -> Counts {
-        Counts { puts: self.puts + other.puts, spans: self.spans + other.spans, edges: self.edges + other.edges }
+        let Counts { puts, spans, edges, runs } = other;
+        Counts { puts: self.puts + puts, spans: self.spans + spans, edges: self.edges + edges, runs: self.runs + runs }
     }
 }
 
@@ -92,7 +112,8 @@ impl<D: Depth> Tile<D> {
     pub fn new() -> Tile<D> {
         let (area, layers) = (Area { columns: 0..0, rows: 0..0 }, Layers::default());
         let (depth, owner, light, counts) = (Vec::new(), Vec::new(), Vec::new(), Counts::default());
-        Tile { area, stride: 0, depth, owner, layers, light, counts }
+        let shortcuts = Shortcuts::default();
+        Tile { area, stride: 0, depth, owner, far: Vec::new(), veils: Vec::new(), layers, runs: Vec::new(), light, counts, shortcuts }
     }
 
     /// Empties it and puts it over `area`; rows are `stride` samples apart.
@@ -102,6 +123,9 @@ impl<D: Depth> Tile<D> {
         self.depth.resize(samples, D::FAR);
         self.owner.clear();
         self.owner.resize(samples, NOBODY);
+        self.far.clear();
+        self.far.resize(blocks_across(stride) * blocks_across(area.rows.len()), 0.0);
+        self.veils.clear();
         self.layers.clear();
         (self.area, self.stride) = (area, stride);
     }
@@ -123,7 +147,11 @@ impl<D: Depth> Tile<D> {
                 self.draw_edges(segment, by_edges, level);
 
                 if let Some((&shape, after)) = rest.split_first() {
-                    self.draw_spans(list, &segment.shapes[shape as usize], &mut spans);
+                    let shape = &segment.shapes[shape as usize];
+                    match shape.way {
+                        Way::Runs => self.draw_runs(list, shape, &mut spans, level),
+                        Way::Edges | Way::Spans => self.draw_spans(list, shape, &mut spans),
+                    }
                     shapes = after;
                 } else {
                     shapes = rest;
@@ -134,9 +162,31 @@ impl<D: Depth> Tile<D> {
 
     fn draw_edges(&mut self, segment: &Segment, shapes: &[u32], level: Level) {
         self.counts.edges += shapes.len() as u64;
-        let Some(depth) = D::singles(&mut self.depth) else { return };
-        let samples = Samples { area: &self.area, stride: self.stride, depth, owner: &mut self.owner };
-        cover::draw(level, samples, segment, shapes);
+        if let Some(samples) = self.samples() {
+            cover::draw(level, samples, segment, shapes);
+        }
+    }
+
+    /// Draws one polygon by the z-buffer's spans and depth in lanes.
+    fn draw_runs(&mut self, list: &DrawList, shape: &Shape, spans: &mut Spans, level: Level) {
+        self.counts.runs += 1;
+        let polygon = list.polygon(shape.polygon as usize);
+        let mut runs = std::mem::take(&mut self.runs);
+        runs.clear();
+        spans.of(polygon.vertices(), list.grid, self.area.rows.clone(), |row, columns| {
+            runs.push((row, columns.start, columns.end));
+        });
+        if let Some(samples) = self.samples() {
+            cover::draw_runs(level, samples, shape, &runs);
+        }
+        self.runs = runs;
+    }
+
+    /// The samples, if their depths are `f32`.
+    fn samples(&mut self) -> Option<Samples<'_>> {
+        let depth = D::singles(&mut self.depth)?;
+        let (area, stride, owner, shortcuts) = (&self.area, self.stride, &mut self.owner, self.shortcuts);
+        Some(Samples { area, stride, depth, owner, far: &mut self.far, veils: &mut self.veils, shortcuts })
     }
 
     /// Draws one polygon as the z-buffer does.
@@ -158,10 +208,7 @@ impl<D: Depth> Tile<D> {
             return;
         }
         if transparent {
-            let (color, opacity) = (Rgb::gray(0.0), Rgb::gray(0.0));
-            let fragment = Fragment { x, y, depth, color, opacity, polygon: polygon.index };
-            self.layers.push(index, self.depth.len(), fragment);
-            self.counts.puts += 1;
+            self.veils.push(Veil { index: index as u32, polygon: polygon.index, depth });
         } else {
             self.depth[index] = D::of(depth);
             self.owner[index] = polygon.index;
