@@ -2,17 +2,17 @@
 //!
 //! Prints; judges nothing. Cases take turns round by round; medians. NAME picks the scenes whose name contains it.
 
-use farop::image::Image;
 use farop::color::Rgb;
+use farop::image::Image;
+use farop::math::{Affine3, Vec3, cos, sin};
+use farop::parse::{ParseOptions, read_nff};
 use farop::plan::{Choices, Culling, Shading};
 use farop::raster::fast::{Fast, Instructions};
 use farop::raster::{Rasterizer, ZBuffer};
 use farop::render::{Canvas, draw, draw_pixels, list};
-use farop::math::{Affine3, Vec3, cos, sin};
 use farop::scene::{Camera, Light, Material, Mesh, NormalSource, Object, ObjectId, Place, Scene, Surface, SurfaceId};
 use farop::screen::DrawList;
 use farop::spd::{self, Curves};
-use farop::parse::{ParseOptions, read_nff};
 use nix::time::{ClockId, clock_gettime};
 use std::time::Instant;
 
@@ -26,7 +26,8 @@ fn standard(name: &str, size: u32) -> Scene {
 
 fn scene_of(mesh: Mesh) -> Scene {
     let place = Place::default();
-    let material = Material { color: Rgb::new(0.7, 0.6, 0.5), diffuse: 0.7, specular: 0.3, shine: 20.0, ..Material::default() };
+    let material =
+        Material { color: Rgb::new(0.7, 0.6, 0.5), diffuse: 0.7, specular: 0.3, shine: 20.0, ..Material::default() };
     let object = Object {
         name: String::new(),
         parent_from_local: Affine3::IDENTITY,
@@ -251,10 +252,6 @@ fn main() {
         }
         let [zbuffer, fast, sse2] = times.each_mut().map(|times| median(times));
         let ratio = zbuffer / fast;
-        println!(
-            "{:<22} {:>9} {zbuffer:>9.2} {fast:>9.2} {ratio:>7.1} {sse2:>9.2}{equal}",
-            case.name,
-            case.list.len()
-        );
+        println!("{:<22} {:>9} {zbuffer:>9.2} {fast:>9.2} {ratio:>7.1} {sse2:>9.2}{equal}", case.name, case.list.len());
     }
 }

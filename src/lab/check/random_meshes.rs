@@ -83,8 +83,7 @@ fn push_patch(random: &mut Random, mesh: &mut Mesh, n: u32) {
     let at = |column: u32, row: u32| corners[(row * (n + 1) + column) as usize];
     for row in 0..n {
         for column in 0..n {
-            let [a, b, c, d] =
-                [at(column, row), at(column + 1, row), at(column + 1, row + 1), at(column, row + 1)];
+            let [a, b, c, d] = [at(column, row), at(column + 1, row), at(column + 1, row + 1), at(column, row + 1)];
             if flat && (row + column) % 3 == 0 {
                 mesh.push_polygon(&[a, b, c, d], NormalSource::Given, 1);
             } else {

@@ -11,8 +11,8 @@
 use super::edges::{are_in_range, make_ready};
 use super::layout::Layout;
 use crate::color::Rgb;
-use crate::raster::exact_edge::first_center_from;
 use crate::plan::DepthFormat;
+use crate::raster::exact_edge::first_center_from;
 use crate::screen::{DrawList, Plane, Precision, ScreenPolygon, ScreenVertex};
 use std::ops::Range;
 

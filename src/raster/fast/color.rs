@@ -67,13 +67,7 @@ pub(super) fn of_sample(list: &DrawList, polygon: u32, sample: (i32, i32), depth
 
 /// As [`of_sample`], of N numbers, with nothing made ready: for polygons that show on this sample alone.
 #[inline(always)]
-fn one<const N: usize>(
-    list: &DrawList,
-    polygon: u32,
-    (x, y): (i32, i32),
-    depth: f32,
-    powers: &mut u64,
-) -> Rgb<f32> {
+fn one<const N: usize>(list: &DrawList, polygon: u32, (x, y): (i32, i32), depth: f32, powers: &mut u64) -> Rgb<f32> {
     let view = list.polygon(polygon as usize);
     let planes = view.varying_planes();
     let block = (x & !(BLOCK - 1), y & !(BLOCK - 1));

@@ -290,8 +290,8 @@ impl<S: Simd> Rows<'_, S> {
                 let mut outside = i32x8::splat(simd, 0);
                 let mut edge = 0;
                 while edge < N {
-                    outside = outside | values[edge];
-                    values[edge] = values[edge] + i32x8::splat(simd, edges[edge].down);
+                    outside |= values[edge];
+                    values[edge] += i32x8::splat(simd, edges[edge].down);
                     edge += 1;
                 }
                 let dy = f32x8::splat(simd, (dy + row) as f32);

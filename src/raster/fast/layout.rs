@@ -105,8 +105,12 @@ mod tests {
                 for y in area.rows.clone() {
                     area.columns.clone().for_each(|x| assert!(seen.insert((x, y)), "{x} {y}"));
                 }
-                let [columns, rows] = layout.touched([area.columns.start, area.columns.end], [area.rows.start, area.rows.end]);
-                assert_eq!((columns.start, columns.len(), rows.start, rows.len()), (tile % layout.columns, 1, tile / layout.columns, 1));
+                let [columns, rows] =
+                    layout.touched([area.columns.start, area.columns.end], [area.rows.start, area.rows.end]);
+                assert_eq!(
+                    (columns.start, columns.len(), rows.start, rows.len()),
+                    (tile % layout.columns, 1, tile / layout.columns, 1)
+                );
             }
             assert_eq!(seen.len(), (width.max(0) * rows.len() as i32) as usize);
         }
@@ -118,14 +122,20 @@ mod tests {
             let layout = Layout::new(1 << 22, 0..1 << 22, side);
             let near = (0..1 << 14).map(|tile| tile * side as i32).filter(|&sample| sample > 0 && sample <= 1 << 22);
             for sample in near {
-                assert_eq!([layout.tile(sample - 1), layout.tile(sample)], [sample - 1, sample].map(|x| (x / side as i32) as usize));
+                assert_eq!(
+                    [layout.tile(sample - 1), layout.tile(sample)],
+                    [sample - 1, sample].map(|x| (x / side as i32) as usize)
+                );
             }
         }
     }
 
     #[test]
     fn sides_hold_whole_pixels() {
-        assert_eq!([1, 2, 3, 4, 5, 7].map(|samples| side_of_whole_pixels(64, samples)), [64, 64, 48, 64, 40, 56].map(Some));
+        assert_eq!(
+            [1, 2, 3, 4, 5, 7].map(|samples| side_of_whole_pixels(64, samples)),
+            [64, 64, 48, 64, 40, 56].map(Some)
+        );
         assert_eq!(side_of_whole_pixels(64, 31), Some(248));
         assert_eq!(side_of_whole_pixels(64, 33), None);
         assert_eq!(side_of_whole_pixels(8, 1), Some(8));

@@ -29,8 +29,7 @@ impl<D: Depth> Tile<D> {
             Some(depth) if by_planes => {
                 let (area, stride, owner, light) = (&self.area, self.stride, &self.owner, &mut self.light);
                 let background = behind.background;
-                let mut tile =
-                    Finished { list, background, area, stride, depth, owner, light, shown: 0, powers: 0 };
+                let mut tile = Finished { list, background, area, stride, depth, owner, light, shown: 0, powers: 0 };
                 color::shade(level, &mut tile);
                 self.counts.puts += tile.shown;
                 list.shader.add_powers(tile.powers);

@@ -113,7 +113,19 @@ impl<D: Depth> Tile<D> {
         let (area, layers) = (Area { columns: 0..0, rows: 0..0 }, Layers::default());
         let (depth, owner, light, counts) = (Vec::new(), Vec::new(), Vec::new(), Counts::default());
         let shortcuts = Shortcuts::default();
-        Tile { area, stride: 0, depth, owner, far: Vec::new(), veils: Vec::new(), layers, runs: Vec::new(), light, counts, shortcuts }
+        Tile {
+            area,
+            stride: 0,
+            depth,
+            owner,
+            far: Vec::new(),
+            veils: Vec::new(),
+            layers,
+            runs: Vec::new(),
+            light,
+            counts,
+            shortcuts,
+        }
     }
 
     /// Empties it and puts it over `area`; rows are `stride` samples apart.
@@ -142,7 +154,8 @@ impl<D: Depth> Tile<D> {
         for segment in segments {
             let mut shapes = segment.bins[number].as_slice();
             while !shapes.is_empty() {
-                let edges = shapes.iter().take_while(|&&shape| segment.shapes[shape as usize].way == Way::Edges).count();
+                let edges =
+                    shapes.iter().take_while(|&&shape| segment.shapes[shape as usize].way == Way::Edges).count();
                 let (by_edges, rest) = shapes.split_at(edges);
                 self.draw_edges(segment, by_edges, level);
 
@@ -204,12 +217,10 @@ impl<D: Depth> Tile<D> {
     fn draw_sample(&mut self, polygon: &ScreenPolygon<'_>, (x, y): (i32, i32), transparent: bool) {
         let (index, depth) = (self.index(x, y), polygon.depth(x, y));
         // Strictly nearer: of two polygons at the same depth, the first in the list keeps the sample.
-        if !(depth > self.depth[index].widened()) {
-            return;
-        }
-        if transparent {
+        let nearer = depth > self.depth[index].widened();
+        if nearer && transparent {
             self.veils.push(Veil { index: index as u32, polygon: polygon.index, depth });
-        } else {
+        } else if nearer {
             self.depth[index] = D::of(depth);
             self.owner[index] = polygon.index;
         }
