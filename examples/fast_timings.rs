@@ -137,8 +137,11 @@ struct Case {
     canvas: Canvas,
 }
 
+/// Makes a scene when it is its turn.
+type MakeScene = Box<dyn Fn() -> Scene>;
+
 fn cases(threads: u32, only: &str) -> Vec<Case> {
-    let scenes: Vec<(&str, Box<dyn Fn() -> Scene>)> = vec![
+    let scenes: Vec<(&str, MakeScene)> = vec![
         ("gears:4", Box::new(|| standard("gears", 4))),
         ("mount:8", Box::new(|| standard("mount", 8))),
         ("teapot:20", Box::new(|| standard("teapot", 20))),
