@@ -30,6 +30,7 @@ impl Rgb {
 
     /// Rounds each channel once, to the nearest `f32`.
     #[must_use]
+    #[inline]
     pub fn to_f32(self) -> Rgb<f32> {
         self.map(|channel| channel as f32)
     }
@@ -38,6 +39,7 @@ impl Rgb {
 impl Rgb<f32> {
     /// Widens each channel; exact.
     #[must_use]
+    #[inline]
     pub fn to_f64(self) -> Rgb {
         self.map(f64::from)
     }
@@ -46,24 +48,28 @@ impl Rgb<f32> {
 impl<T: Copy> Rgb<T> {
     /// A color of three channels.
     #[must_use]
+    #[inline]
     pub const fn new(r: T, g: T, b: T) -> Self {
         Rgb { r, g, b }
     }
 
     /// Red, green and blue all `value`.
     #[must_use]
+    #[inline]
     pub const fn gray(value: T) -> Self {
         Rgb { r: value, g: value, b: value }
     }
 
     /// Applies `f` to each channel.
     #[must_use]
+    #[inline]
     pub fn map<U>(self, f: impl Fn(T) -> U) -> Rgb<U> {
         Rgb { r: f(self.r), g: f(self.g), b: f(self.b) }
     }
 
     /// The channels in the order red, green, blue.
     #[must_use]
+    #[inline]
     pub fn to_array(self) -> [T; 3] {
         [self.r, self.g, self.b]
     }
@@ -77,12 +83,14 @@ impl<T> From<[T; 3]> for Rgb<T> {
 
 impl<T: Add<Output = T>> Add for Rgb<T> {
     type Output = Self;
+    #[inline]
     fn add(self, other: Self) -> Self {
         Rgb { r: self.r + other.r, g: self.g + other.g, b: self.b + other.b }
     }
 }
 
 impl<T: Copy + Add<Output = T>> AddAssign for Rgb<T> {
+    #[inline]
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
     }
@@ -90,6 +98,7 @@ impl<T: Copy + Add<Output = T>> AddAssign for Rgb<T> {
 
 impl<T: Sub<Output = T>> Sub for Rgb<T> {
     type Output = Self;
+    #[inline]
     fn sub(self, other: Self) -> Self {
         Rgb { r: self.r - other.r, g: self.g - other.g, b: self.b - other.b }
     }
@@ -97,6 +106,7 @@ impl<T: Sub<Output = T>> Sub for Rgb<T> {
 
 impl<T: Mul<Output = T>> Mul for Rgb<T> {
     type Output = Self;
+    #[inline]
     fn mul(self, other: Self) -> Self {
         Rgb { r: self.r * other.r, g: self.g * other.g, b: self.b * other.b }
     }
@@ -104,6 +114,7 @@ impl<T: Mul<Output = T>> Mul for Rgb<T> {
 
 impl<T: Copy + Mul<Output = T>> Mul<T> for Rgb<T> {
     type Output = Self;
+    #[inline]
     fn mul(self, factor: T) -> Self {
         self.map(|channel| channel * factor)
     }

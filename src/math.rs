@@ -49,6 +49,7 @@ pub fn edges<T>(outline: &[T]) -> impl Iterator<Item = (&T, &T)> {
 /// assert_eq!(unit(Vec3::ZERO), None);
 /// ```
 #[must_use]
+#[inline]
 pub fn unit(v: Vec3) -> Option<Vec3> {
     let largest = v.abs().max_element();
     if !(largest > 0.0 && largest.is_finite()) || v.is_nan() {
@@ -60,6 +61,7 @@ pub fn unit(v: Vec3) -> Option<Vec3> {
 }
 
 /// The largest power of two that is not above `x`; `x` is positive. Scaling by it rounds nothing.
+#[inline]
 fn power_of_two_below(x: f64) -> f64 {
     // 1 / subnormal is infinite: the largest power of two there is will do.
     if x.is_infinite() {

@@ -36,6 +36,12 @@ fn agree() {
 }
 
 #[test]
+fn fast() {
+    let found = holds("fast");
+    assert!(count(&found, "drawn by edges") > 200 && count(&found, "drawn by spans") > 50, "{}", found.text());
+}
+
+#[test]
 fn color() {
     assert!(count(&holds("color"), "levels compared") > 10_000);
 }

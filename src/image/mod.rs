@@ -118,21 +118,11 @@ impl Image {
         let mut small = Image::new(self.width / samples, self.height / samples, Rgb::gray(0.0));
         for y in 0..small.height {
             for x in 0..small.width {
-                small.set_pixel(x, y, self.box_mean(x * samples, y * samples, samples));
+                let first = y * samples * self.width + x * samples;
+                small.set_pixel(x, y, box_mean(&self.pixels[first..], self.width, samples));
             }
         }
         small
-    }
-
-    fn box_mean(&self, left: usize, top: usize, side: usize) -> Rgb<f32> {
-        let mut sum = Rgb::BLACK;
-        for y in top..top + side {
-            for light in &self.row(y)[left..left + side] {
-                sum += light.to_f64();
-            }
-        }
-        let count = (side * side) as f64;
-        sum.map(|channel| channel / count).to_f32()
     }
 
     /// The 8-bit display values of this light: each channel encoded and rounded once.
@@ -146,6 +136,22 @@ impl Image {
         }
         Picture::from_parts(self.width, self.height, rgb)
     }
+}
+
+/// The mean of `side` x `side` lights, rows `stride` apart: summed in `f64`, row by row, and rounded once.
+///
+/// # Panics
+/// When there are fewer lights, as indexing does.
+#[must_use]
+pub fn box_mean(lights: &[Rgb<f32>], stride: usize, side: usize) -> Rgb<f32> {
+    let mut sum = Rgb::BLACK;
+    for row in 0..side {
+        for light in &lights[row * stride..row * stride + side] {
+            sum += light.to_f64();
+        }
+    }
+    let count = (side * side) as f64;
+    sum.map(|channel| channel / count).to_f32()
 }
 
 #[cfg(test)]

@@ -32,6 +32,12 @@ impl Layers {
         self.heads[index] = self.arena.len() as u32;
     }
 
+    /// Forgets everything and keeps the memory.
+    pub(super) fn clear(&mut self) {
+        self.heads.clear();
+        self.arena.clear();
+    }
+
     /// Whether nothing transparent was drawn.
     pub(super) fn is_empty(&self) -> bool {
         self.arena.is_empty()

@@ -9,9 +9,11 @@
 pub mod coverage;
 mod exact_edge;
 pub mod external;
+pub mod fast;
 pub mod functions;
 mod layers;
 mod order;
+mod pixels;
 mod put_counts;
 mod registry;
 mod scanline;
@@ -20,7 +22,9 @@ pub mod watkins;
 mod wire;
 mod zbuffer;
 
+pub use fast::Fast;
 pub use order::Order;
+pub use pixels::Pixels;
 pub use put_counts::PutCounts;
 pub use registry::{Registered, Registry};
 pub use scanline::Scanline;
@@ -48,6 +52,12 @@ pub trait Rasterizer {
     /// The polygons this algorithm can take; the plan splits the others into triangles.
     fn accepts(&self) -> Accepts {
         Accepts::AnyPolygon
+    }
+
+    /// Draws all of `pixels` without a target: for algorithms that finish one part of the picture after the other and need no
+    /// grid of samples in memory. `false`, and nothing drawn: `list` wants [`Rasterizer::draw`]. Most algorithms leave it at that.
+    fn draw_pixels(&self, _list: &DrawList, _pixels: &mut Pixels<'_>) -> bool {
+        false
     }
 }
 

@@ -4,7 +4,7 @@
 //! it. Nothing is found by magic, so nothing is mysteriously missing.
 
 use super::functions::{ClipFunction, Named, TriangulateFunction, ears, sutherland};
-use super::{PerPolygon, Rasterizer, Scanline, Watkins, Wire, ZBuffer};
+use super::{Fast, PerPolygon, Rasterizer, Scanline, Watkins, Wire, ZBuffer};
 use crate::geometry::clip::{ClipVertex, ClipVolume};
 use crate::math::Vec3;
 
@@ -32,6 +32,7 @@ impl Registry {
     pub fn built_in() -> Registry {
         let none = Registry::default();
         none.add("zbuffer", "keeps the depth of the nearest polygon at every sample; the readable reference", ZBuffer)
+            .add("fast", "tile by tile, the z-buffer's bytes at the speed of the machine", Fast::default())
             .add("watkins", "scan line by scan line, span by span; every sample is put once", Watkins)
             .add(
                 "scanline",

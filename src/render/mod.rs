@@ -11,7 +11,7 @@ use crate::color::Rgb;
 use crate::geometry;
 use crate::image::Image;
 use crate::plan::{Accepts, Choices, Plan, PlanError, Transparency};
-use crate::raster::{Frame, PutCounts, Rasterizer};
+use crate::raster::{Frame, Pixels, PutCounts, Rasterizer};
 use crate::report::{Counts, StageTimer, Times};
 use crate::scene::Scene;
 use crate::screen::DrawList;
@@ -113,6 +113,9 @@ pub fn draw(list: &DrawList, rasterizer: Option<&dyn Rasterizer>, canvas: &Canva
     let mut image = Image::new(width as usize, height as usize, canvas.background);
     let mut puts = PutCounts::default();
     let Some(rasterizer) = rasterizer else { return (image, puts) };
+    if let Some(puts) = draw_pixels(list, rasterizer, canvas, &mut image) {
+        return (image, puts);
+    }
     // Whole rows of pixels at a time, as many as memory allows; one band for all but enormous grids.
     let samples_a_row = u64::from(list.width) * u64::from(canvas.samples);
     let rows_a_band = (SAMPLES_AT_ONCE / samples_a_row.max(1)).clamp(1, u64::from(height.max(1))) as u32;
@@ -130,6 +133,21 @@ pub fn draw(list: &DrawList, rasterizer: Option<&dyn Rasterizer>, canvas: &Canva
         }
     }
     (image, puts)
+}
+
+/// Lets a rasterizer that can do so draw finished pixels over all of `image`; `None`, and nothing drawn, where it cannot.
+///
+/// The image has the size of the list divided by the samples of the canvas; frame after frame may go into the same one.
+pub fn draw_pixels(
+    list: &DrawList,
+    rasterizer: &dyn Rasterizer,
+    canvas: &Canvas,
+    image: &mut Image,
+) -> Option<PutCounts> {
+    let &Canvas { samples, background, transparency: rule, threads } = canvas;
+    let (width, counts) = (image.width(), PutCounts::default());
+    let mut pixels = Pixels { width, samples, background, rule, threads, light: image.pixels_mut(), counts };
+    rasterizer.draw_pixels(list, &mut pixels).then_some(pixels.counts)
 }
 
 impl Canvas {

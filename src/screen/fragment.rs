@@ -39,6 +39,7 @@ impl Values {
     }
 
     /// Adds one number.
+    #[inline]
     pub(crate) fn push(&mut self, number: f64) {
         self.numbers[self.count] = number;
         self.count += 1;
@@ -47,6 +48,7 @@ impl Values {
 
 impl std::ops::Deref for Values {
     type Target = [f64];
+    #[inline]
     fn deref(&self) -> &[f64] {
         &self.numbers[..self.count]
     }

@@ -81,6 +81,7 @@ pub struct DepthMapping {
 impl DepthMapping {
     /// Depth of a sample at 1/w: itself, or the nearest of 2^k - 1 steps from yon (1) to hither; 0 stays infinitely far.
     #[must_use]
+    #[inline]
     pub fn apply(&self, inverse_w: f64) -> f64 {
         let steps = match self.format {
             DepthFormat::F32 | DepthFormat::F64 => return inverse_w,
@@ -191,6 +192,7 @@ impl DrawList {
     /// # Panics
     /// If there is no such polygon.
     #[must_use]
+    #[inline]
     pub fn polygon(&self, index: usize) -> ScreenPolygon<'_> {
         ScreenPolygon::new(self, index)
     }

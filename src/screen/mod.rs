@@ -12,6 +12,7 @@
 pub mod file;
 mod fragment;
 mod grid;
+pub mod lane;
 mod list;
 mod plane;
 mod polygon;

@@ -11,6 +11,8 @@
 //! Space: samples, x right, y down; sample (x, y) has its center at (x + 0.5, y + 0.5).
 //! Cost: one `f64` evaluation a block and polygon, two multiplications and two additions in `f32` a sample.
 
+use super::lane::{Lane, in_block};
+
 /// Width and height of the blocks that anchor the evaluation, in samples; fixed on the picture.
 pub const BLOCK: i32 = 16;
 
@@ -98,6 +100,7 @@ impl Plane {
 
     /// The value at the center of sample (x, y), not clamped. Exactly an `f32` unless evaluated in `f64`.
     #[must_use]
+    #[inline]
     pub fn at(&self, x: i32, y: i32) -> f64 {
         match self.evaluation {
             // Only the outline knows a value that runs along scan lines; alone, its least one is as good as any.
@@ -107,9 +110,8 @@ impl Plane {
             Evaluation::Blocks => {
                 // The origin of the block: its first sample. The mask also rounds down left of the picture.
                 let (block_x, block_y) = (x & !(BLOCK - 1), y & !(BLOCK - 1));
-                let anchor = self.exact(block_x, block_y) as f32;
-                let step = self.a as f32 * (x - block_x) as f32 + self.b as f32 * (y - block_y) as f32;
-                f64::from(anchor + step)
+                let at = [(x - block_x) as f32, (y - block_y) as f32];
+                f64::from(in_block(self.anchor(block_x, block_y), self.slope(), at))
             }
         }
     }
@@ -117,21 +119,46 @@ impl Plane {
     /// The value at the center of sample (x, y), within the range at the vertices: a sample outside the true outline
     /// (snapping moved an edge over it) must not see the plane run away.
     #[must_use]
+    #[inline]
     pub fn clamped_at(&self, x: i32, y: i32) -> f64 {
         self.clamp(self.at(x, y))
     }
 
     /// Brings a value into the range at the vertices.
     #[must_use]
+    #[inline]
     pub fn clamp(&self, value: f64) -> f64 {
-        // Not f64::clamp: that panics on an empty range, which a broken screen file may hold.
-        if value < self.low {
-            self.low
-        } else if value > self.high {
-            self.high
-        } else {
-            value
-        }
+        value.hold(self.low, self.high)
+    }
+
+    /// The plane at the first sample (x, y) of a block, rounded once: what [`in_block`] starts from.
+    #[must_use]
+    #[inline]
+    pub fn anchor(&self, x: i32, y: i32) -> f32 {
+        self.exact(x, y) as f32
+    }
+
+    /// Change per sample to the right and down, for [`in_block`].
+    #[must_use]
+    #[inline]
+    pub fn slope(&self) -> [f32; 2] {
+        [self.a as f32, self.b as f32]
+    }
+
+    /// Whether every number that it is evaluated to is anchored at blocks or constant, and an `f32`: then lanes of `f32` do.
+    #[must_use]
+    #[inline]
+    pub fn fits_single(&self) -> bool {
+        let single = |number: f64| number == f64::from(number as f32);
+        let anchored = match self.evaluation {
+            Evaluation::Blocks => true,
+            // Not -0, which a sum with 0 turns into 0.
+            Evaluation::Constant => {
+                single(self.c) && self.a == 0.0 && self.b == 0.0 && self.c.to_bits() != (-0.0f64).to_bits()
+            }
+            Evaluation::Samples | Evaluation::Double | Evaluation::ScanLine => false,
+        };
+        anchored && single(self.low) && single(self.high)
     }
 
     /// Multiplies the plane by `plane`, and the range of the values by `values`.
@@ -154,6 +181,7 @@ impl Plane {
         [self.a, self.b, self.c, self.low, self.high].iter().all(|number| number.is_finite())
     }
 
+    #[inline]
     fn exact(&self, x: i32, y: i32) -> f64 {
         self.a * (f64::from(x) + 0.5) + self.b * (f64::from(y) + 0.5) + self.c
     }

@@ -17,12 +17,14 @@ pub struct ScreenPolygon<'a> {
 }
 
 impl<'a> ScreenPolygon<'a> {
+    #[inline]
     pub(super) fn new(list: &'a DrawList, index: usize) -> Self {
         ScreenPolygon { list, record: &list.polygons[index], index: index as u32 }
     }
 
     /// The corners, in order around the outline.
     #[must_use]
+    #[inline]
     pub fn vertices(&self) -> &'a [ScreenVertex] {
         let first = self.record.first_vertex as usize;
         &self.list.vertices[first..first + self.record.vertex_count as usize]
@@ -30,6 +32,7 @@ impl<'a> ScreenPolygon<'a> {
 
     /// What varies, at corner `corner`: the numbers that [`ScreenPolygon::values`] interpolates.
     #[must_use]
+    #[inline]
     pub fn vertex_values(&self, corner: usize) -> &'a [f64] {
         let count = self.list.varying.count();
         let first = (self.record.first_vertex as usize + corner) * count;
@@ -50,12 +53,14 @@ impl<'a> ScreenPolygon<'a> {
 
     /// Index of its surface in the shader.
     #[must_use]
+    #[inline]
     pub fn surface(&self) -> u32 {
         self.record.surface
     }
 
     /// The plane of 1/w. `None` in lists without depth (wire).
     #[must_use]
+    #[inline]
     pub fn depth_plane(&self) -> Option<&'a Plane> {
         self.list.planes.get(self.record.first_plane as usize).filter(|_| self.list.has_depth)
     }
@@ -64,6 +69,7 @@ impl<'a> ScreenPolygon<'a> {
     ///
     /// Eye points are always / w. A plane marked [`Evaluation::ScanLine`] is none: ask [`ScreenPolygon::values`].
     #[must_use]
+    #[inline]
     pub fn varying_planes(&self) -> &'a [Plane] {
         if !self.list.has_depth {
             return &[];
@@ -74,12 +80,14 @@ impl<'a> ScreenPolygon<'a> {
 
     /// 1/w at the center of sample (x, y), within the range at the corners; 0 in lists without depth.
     #[must_use]
+    #[inline]
     pub fn inverse_w(&self, x: i32, y: i32) -> f64 {
         self.depth_plane().map_or(0.0, |plane| plane.clamped_at(x, y))
     }
 
     /// Depth at the center of sample (x, y): 1/w, or integer steps. Larger is nearer.
     #[must_use]
+    #[inline]
     pub fn depth(&self, x: i32, y: i32) -> f64 {
         self.list.depth_mapping.apply(self.inverse_w(x, y))
     }
@@ -89,6 +97,7 @@ impl<'a> ScreenPolygon<'a> {
     /// The contract's one definition: value / w and 1/w by their planes, one division, within the range at the corners.
     /// With `--interpolation scanline`, what is not linear over the polygon runs along its edges and the scan line.
     #[must_use]
+    #[inline]
     pub fn values(&self, x: i32, y: i32) -> Values {
         self.assemble((x, y), self.inverse_w(x, y), |_, plane| plane.at(x, y))
     }
@@ -101,6 +110,7 @@ impl<'a> ScreenPolygon<'a> {
         self.assemble(sample, inverse_w, |number, _| f64::from(over_w[number]))
     }
 
+    #[inline]
     fn assemble(&self, (x, y): (i32, i32), inverse_w: f64, over_w: impl Fn(usize, &Plane) -> f64) -> Values {
         let mut values = Values::default();
         let scan_line = self.scan_line(x, y);
@@ -116,6 +126,7 @@ impl<'a> ScreenPolygon<'a> {
     }
 
     /// The edges around the sample, where some value runs between them.
+    #[inline]
     fn scan_line(&self, x: i32, y: i32) -> Option<ScanLine> {
         let needed = self.list.interpolation == Interpolation::ScanLine
             && self.varying_planes().iter().any(|plane| plane.evaluation == Evaluation::ScanLine);
@@ -123,11 +134,13 @@ impl<'a> ScreenPolygon<'a> {
     }
 
     /// Whether a plane is that of value / w. Colors and normals may run on the screen; the eye point is a point in space.
-    fn is_over_w(&self, number: usize, plane: &Plane) -> bool {
+    #[inline]
+    pub(crate) fn is_over_w(&self, number: usize, plane: &Plane) -> bool {
         let in_space = self.list.interpolation == Interpolation::Perspective || number >= 3;
         in_space && !matches!(plane.evaluation, Evaluation::Constant | Evaluation::ScanLine)
     }
 
+    #[inline]
     fn round(&self, value: f64) -> f64 {
         match self.list.precision {
             Precision::Single => f64::from(value as f32),
@@ -135,6 +148,7 @@ impl<'a> ScreenPolygon<'a> {
         }
     }
 
+    #[inline]
     fn divide(&self, value_over_w: f64, inverse_w: f64) -> f64 {
         match self.list.precision {
             Precision::Single => f64::from(value_over_w as f32 / inverse_w as f32),
@@ -143,6 +157,7 @@ impl<'a> ScreenPolygon<'a> {
     }
 
     /// A fragment of this polygon at sample (x, y), with color and opacity still to be filled in by a shader.
+    #[inline]
     pub(super) fn bare_fragment(&self, x: i32, y: i32) -> Fragment {
         let (color, opacity) = (crate::color::Rgb::gray(0.0), crate::color::Rgb::gray(1.0));
         Fragment { x, y, depth: self.depth(x, y), color, opacity, polygon: self.index }

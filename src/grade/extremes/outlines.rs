@@ -121,7 +121,7 @@ fn star(corners: u32) -> DrawList {
     list
 }
 
-const TRIANGLE: [Point; 3] = [(1.25, 1.25), (12.75, 3.25), (4.25, 13.75)];
+const TRIANGLE: [Point; 3] = [(1.25, 1.25), (12.75, 3.5), (4.25, 13.75)];
 
 fn shapes(shapes: &[(&str, &[Point])]) -> Vec<Step> {
     let step = |&(name, outline): &(&str, &[Point])| {
@@ -150,7 +150,7 @@ fn repeated() -> Vec<Step> {
         ("every corner twice", &[a, a, b, b, c, c]),
         ("the first again at the end", &[a, b, c, a]),
         ("a spike", &[a, b, (15.25, 1.75), b, c]),
-        ("a corner on an edge", &[a, (7.0, 2.25), b, c]),
+        ("a corner on an edge", &[a, (7.0, 2.375), b, c]),
     ])
 }
 

@@ -16,12 +16,14 @@ mod coverage;
 mod cts;
 mod depth;
 mod extremes;
+mod fast;
 mod fuzz;
 mod fuzz_texts;
 mod hash;
 mod metamorphic;
 mod predicates;
 mod random;
+mod random_meshes;
 pub mod random_scenes;
 mod report;
 mod rings;
@@ -88,6 +90,11 @@ pub const CHECKS: &[Check] = &[
         name: "agree",
         claim: "the z-buffer, Watkins and the exact oracle show the same polygon at every sample",
         run: agree::run,
+    },
+    Check {
+        name: "fast",
+        claim: "the fast rasterizer draws the z-buffer's bytes, whatever the threads, tiles and instructions",
+        run: fast::run,
     },
     Check {
         name: "depth",

@@ -68,6 +68,7 @@ impl EyeLight {
     ///
     /// A light exactly at the point has no direction and adds nothing.
     #[must_use]
+    #[inline]
     pub fn arriving(&self, eye: Vec3) -> Option<(Vec3, Rgb)> {
         match self.source {
             EyeSource::Point { position } => Some((unit(position - eye)?, self.color)),

@@ -45,6 +45,15 @@ impl Shader {
     /// NFF's model is not clamped: a value above 1 is brighter than the display and is cut once, when the picture is written.
     #[must_use]
     pub fn light(&self, surface: u32, eye: Vec3, normal: Vec3) -> Rgb {
+        let mut powers = 0;
+        let light = self.light_counting(surface, (eye, normal), &mut powers);
+        self.add_powers(powers);
+        light
+    }
+
+    /// As [`Shader::light`]; highlights are added to `powers`, for many points to be counted at once ([`Shader::add_powers`]).
+    #[inline]
+    pub(crate) fn light_counting(&self, surface: u32, (eye, normal): (Vec3, Vec3), powers: &mut u64) -> Rgb {
         let surface = &self.surfaces[surface as usize];
         let view = unit(-eye).unwrap_or(normal);
         let has_highlight = surface.specular > 0.0 || self.specular_everywhere;
@@ -58,26 +67,28 @@ impl Shader {
             diffuse += color * cosine.max(0.0);
             if has_highlight {
                 let mirrored = normal * (2.0 * cosine) - to_light;
-                specular += color * self.highlight(surface, mirrored.dot(view));
+                specular += color * self.highlight(surface, mirrored.dot(view), powers);
             }
         }
         surface.sent(diffuse, specular).map(|light| light.min(BRIGHTEST))
     }
 
     /// The highlight of `surface` where the mirrored light and the eye are `cosine` apart; none where it is not above 0.
-    fn highlight(&self, surface: &SurfaceShading, cosine: f64) -> f64 {
+    #[inline]
+    fn highlight(&self, surface: &SurfaceShading, cosine: f64, powers: &mut u64) -> f64 {
         // NFF's power 0 is 1 everywhere.
         let is_everywhere = surface.is_nff() && surface.shine <= 0.0;
         if cosine <= 0.0 && !is_everywhere {
             return 0.0;
         }
-        self.powers.fetch_add(1, Ordering::Relaxed);
+        *powers += 1;
         // Rounding may give a cosine just above 1; a large power would make light out of it.
         surface.highlight(cosine.clamp(0.0, 1.0))
     }
 
     /// The fragment of `polygon` at sample (x, y): depth, color and opacity by the contract's definition.
     #[must_use]
+    #[inline]
     pub fn fragment(&self, polygon: &ScreenPolygon<'_>, x: i32, y: i32) -> Fragment {
         let color = self.color(polygon, &polygon.values(x, y));
         Fragment { color, opacity: self.opacity(polygon), ..polygon.bare_fragment(x, y) }
@@ -85,13 +96,23 @@ impl Shader {
 
     /// The color of interpolated `values`: themselves, or for normal and eye point the light there.
     #[must_use]
+    #[inline]
     pub fn color(&self, polygon: &ScreenPolygon<'_>, values: &[f64]) -> Rgb<f32> {
+        let mut powers = 0;
+        let color = self.color_counting(polygon.surface(), values, &mut powers);
+        self.add_powers(powers);
+        color
+    }
+
+    /// As [`Shader::color`]; highlights are added to `powers`.
+    #[inline]
+    pub(crate) fn color_counting(&self, surface: u32, values: &[f64], powers: &mut u64) -> Rgb<f32> {
         match *values {
             [r, g, b] => Rgb::new(r as f32, g as f32, b as f32),
             [nx, ny, nz, ex, ey, ez] => {
                 // Interpolated normals are shorter than 1 between the vertices.
                 let normal = unit(Vec3::new(nx, ny, nz)).unwrap_or(Vec3::NEG_Z);
-                self.light(polygon.surface(), Vec3::new(ex, ey, ez), normal).to_f32()
+                self.light_counting(surface, (Vec3::new(ex, ey, ez), normal), powers).to_f32()
             }
             _ => self.line_color,
         }
@@ -99,6 +120,7 @@ impl Shader {
 
     /// The opacity of the polygon's surface.
     #[must_use]
+    #[inline]
     pub fn opacity(&self, polygon: &ScreenPolygon<'_>) -> Rgb<f32> {
         self.surfaces.get(polygon.surface() as usize).map_or(Rgb::gray(1.0), |surface| surface.opacity)
     }
@@ -107,6 +129,14 @@ impl Shader {
     #[must_use]
     pub fn powers(&self) -> u64 {
         self.powers.load(Ordering::Relaxed)
+    }
+
+    /// Counts highlights.
+    #[inline]
+    pub(crate) fn add_powers(&self, powers: u64) {
+        if powers > 0 {
+            self.powers.fetch_add(powers, Ordering::Relaxed);
+        }
     }
 
     /// Adds an opaque surface that no light reaches, and returns its index.
