@@ -30,6 +30,8 @@ pub struct Shot {
     pub judged: usize,
     /// What else is wrong.
     pub complaint: Option<String>,
+    /// The case with its list reversed, and the picture of that, when it is wrong.
+    pub turned: Option<(Case, Picture)>,
 }
 
 impl Shot {
@@ -207,13 +209,14 @@ pub fn grade(subject: &dyn Subject, request: &Request<'_>, progress: &mut dyn Fn
 
 /// Draws one case and judges it by the contract.
 fn shoot(subject: &dyn Subject, case: Case, watch: Watch) -> Shot {
+    let case = case.cut_for(subject.accepts());
     let right = paint(&case, &Rules::default());
     let answer = checked(subject.draw(&case.list(subject.accepts()), &case.sheet()), &right);
-    let mut shot = Shot { case, answer, wrong: Vec::new(), judged: 0, complaint: None };
+    let mut shot = Shot { case, answer, wrong: Vec::new(), judged: 0, complaint: None, turned: None };
     let Ok(answer) = &shot.answer else { return shot };
     shot.wrong = wrong(&answer.picture, &right);
     shot.judged = right.disputed.iter().filter(|&&disputed| !disputed).count();
-    shot.complaint = watch::complaint(subject, &shot, watch);
+    shot.complaint = watch::complaint(subject, &mut shot, watch);
     shot
 }
 
