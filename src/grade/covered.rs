@@ -46,10 +46,7 @@ impl Outline {
         let corners: Vec<Point> = corners.iter().map(|&(x, y)| (round(x), round(y))).collect();
         let size = (size.0 as i32, size.1 as i32);
         let pieces = cut(corners, rules.pieces).into_iter().map(|corners| Piece::new(corners, rules, size)).collect();
-        let toggles = matches!(
-            rules.pieces,
-            Pieces::Fan { toggles: true, .. } | Pieces::Strip { toggles: true }
-        );
+        let toggles = matches!(rules.pieces, Pieces::Fan { toggles: true, .. } | Pieces::Strip { toggles: true });
         Outline { pieces, toggles }
     }
 
@@ -173,7 +170,11 @@ fn window((low, high): (Point, Point), bounds: Bounds, size: (i32, i32)) -> [i32
     let [of_left, of_right, of_top, of_bottom] = bounds.lost;
     // Whatever is looked at beyond the bounds holds nothing; so the bounds do not decide where nothing is lost.
     let all = bounds == Bounds::WHOLE;
-    if all { [0, size.0 - 1, 0, size.1 - 1] } else { [left + of_left, right - of_right, top + of_top, bottom - of_bottom] }
+    if all {
+        [0, size.0 - 1, 0, size.1 - 1]
+    } else {
+        [left + of_left, right - of_right, top + of_top, bottom - of_bottom]
+    }
 }
 
 fn twice_area(corners: &[Point]) -> f64 {
@@ -218,7 +219,11 @@ fn is_inside(corners: &[Point], point: Point, ties: Ties) -> bool {
     match ties {
         Ties::Consistent { .. } => odd(ties),
         Ties::Sides { .. } => {
-            if is_on_outline(corners, point) { owns_all_touched(corners, point, ties) } else { odd(Ties::LEFT_TOP) }
+            if is_on_outline(corners, point) {
+                owns_all_touched(corners, point, ties)
+            } else {
+                odd(Ties::LEFT_TOP)
+            }
         }
         Ties::All => odd(Ties::LEFT_TOP) || is_on_outline(corners, point),
         Ties::Nobody => odd(Ties::LEFT_TOP) && !is_on_outline(corners, point),
@@ -249,6 +254,12 @@ fn owns_all_touched(corners: &[Point], point: Point, ties: Ties) -> bool {
     let turn = if twice_area(corners) > 0.0 { 1.0 } else { -1.0 };
     edges(corners).filter(|(a, b)| touches(**a, **b, point)).all(|(a, b)| {
         let (dx, dy) = ((b.0 - a.0) * turn, (b.1 - a.1) * turn);
-        if dy == 0.0 { if dx > 0.0 { top } else { bottom } } else if dy < 0.0 { left } else { right }
+        if dy == 0.0 {
+            if dx > 0.0 { top } else { bottom }
+        } else if dy < 0.0 {
+            left
+        } else {
+            right
+        }
     })
 }

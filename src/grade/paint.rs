@@ -101,7 +101,8 @@ fn paint_lines(case: &Case, rules: &Rules) -> Vec<Sample> {
 }
 
 fn paint_samples(case: &Case, rules: &Rules) -> Vec<Sample> {
-    let outlines: Vec<Outline> = case.faces.iter().map(|face| Outline::new(&face.corners, rules, (case.width, case.height))).collect();
+    let outlines: Vec<Outline> =
+        case.faces.iter().map(|face| Outline::new(&face.corners, rules, (case.width, case.height))).collect();
     let corner_values: Vec<_> = case.faces.iter().map(|face| carried(face, rules.carried)).collect();
     let mut samples = Vec::new();
     for y in 0..case.height as i32 {

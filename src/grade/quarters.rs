@@ -8,12 +8,7 @@ use crate::math::edges;
 type Point = (f64, f64);
 
 /// The upper left sample of the box that (x, y) is decided in; `None` when nobody looks at it.
-pub(super) fn asked(
-    corners: &[Point],
-    slip: Quarters,
-    size: (i32, i32),
-    (x, y): (i32, i32),
-) -> Option<(i32, i32)> {
+pub(super) fn asked(corners: &[Point], slip: Quarters, size: (i32, i32), (x, y): (i32, i32)) -> Option<(i32, i32)> {
     let (mut left, mut top, mut width, mut height) = (0, 0, size.0, size.1);
     let smallest = if let Quarters::Smallest(side) = slip { side } else { 1 };
     loop {

@@ -270,9 +270,7 @@ fn x_on(edge: &Edge, y: i32, scan: &Scan, heights: &[f64]) -> f64 {
         Slope::Cut => exact(edge.first_row) + slope.trunc() * steps,
         Slope::Down => exact(edge.first_row) + slope.floor() * steps,
         Slope::Rounded => exact(edge.first_row) + slope.round() * steps,
-        Slope::TurnedOver => {
-            top.0 + (f64::from(y) + scan.row - top.1) * if dx == 0.0 { 0.0 } else { dy / dx }
-        }
+        Slope::TurnedOver => top.0 + (f64::from(y) + scan.row - top.1) * if dx == 0.0 { 0.0 } else { dy / dx },
         Slope::Reversed => top.0 - dx * (f64::from(y) + scan.row - top.1) / dy,
         Slope::FromEnd => top.0 + slope * steps,
         Slope::FromRow => top.0 + slope * (f64::from(y) - top.1.floor()),

@@ -19,6 +19,8 @@ const MARGIN_OF_ALL: f64 = 0.01;
 /// Names that are tried as the first of two mistakes, and pairs that are compared on everything.
 const FIRST_OF_PAIR: usize = 8;
 const MOST_PAIRS: usize = 60;
+/// Aspects that two mistakes at once are tried for: it is what costs most, and seldom helps where it did not before.
+const MOST_PAIR_SEARCHES: usize = 2;
 /// More mistakes in one rasterizer are not told apart.
 const MOST_FAULTS: usize = 5;
 /// Aspects that a mistake must explain whole to stand beside what nothing explains.
@@ -78,6 +80,7 @@ pub(super) struct Search<'a> {
     left: Vec<usize>,
     /// The same under each mutant, as far as they were asked for; as long as the rules stay.
     table: RefCell<Vec<Vec<Option<usize>>>>,
+    pair_searches: usize,
     /// Nothing more is named: only what is closest is looked for.
     is_closed: bool,
 }
@@ -94,6 +97,7 @@ impl<'a> Search<'a> {
             given_up: Vec::new(),
             left: Vec::new(),
             table: RefCell::default(),
+            pair_searches: 0,
             is_closed: false,
         };
         search.begin_round(Rules::default());
@@ -253,7 +257,11 @@ impl<'a> Search<'a> {
     }
 
     /// The first of two mistakes that together explain one aspect, as clearly as one must alone; tried with the best few.
-    fn of_pair(&self, aspect: usize) -> Option<Score> {
+    fn of_pair(&mut self, aspect: usize) -> Option<Score> {
+        if self.pair_searches == MOST_PAIR_SEARCHES {
+            return None;
+        }
+        self.pair_searches += 1;
         let shots = &self.aspects[aspect].shots;
         let total = self.left[aspect];
         let (margin, limit) = (margin(total), most_left(total) + margin(total));

@@ -11,8 +11,12 @@ const CORNER: [&str; 4] = [
     "The sample (x, y) has its center at (x + 0.5, y + 0.5): ask there.",
     PAGE,
 ];
-const CENTER_LOST: [&str; 4] =
-    ["samples half beside the center", "x or y is asked for half a sample beside the center.", "The center is (x + 0.5, y + 0.5).", PAGE];
+const CENTER_LOST: [&str; 4] = [
+    "samples half beside the center",
+    "x or y is asked for half a sample beside the center.",
+    "The center is (x + 0.5, y + 0.5).",
+    PAGE,
+];
 const OFF_CENTER: [&str; 4] = [
     "samples a little beside the center",
     "Samples are asked for less than half a sample beside their centers.",

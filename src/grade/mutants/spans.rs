@@ -136,7 +136,9 @@ pub(super) const MUTANTS: &[Mutant] = &[
     mutant(ENDS, |rules| rules.fill = Fill::Scan(Scan { first: Cut::Floor(0.0), end: Cut::Floor(1.5), ..Scan::RIGHT })),
     mutant(ENDS, |rules| rules.fill = Fill::Scan(Scan { first: Cut::Floor(0.0), end: Cut::Ceil(0.5), ..Scan::RIGHT })),
     mutant(ENDS, |rules| rules.fill = Fill::Scan(Scan { first: Cut::Floor(0.0), end: Cut::Ceil(-1.5), ..Scan::RIGHT })),
-    mutant(ENDS, |rules| rules.fill = Fill::Scan(Scan { first: Cut::Floor(0.0), end: Cut::Floor(-0.5), ..Scan::RIGHT })),
+    mutant(ENDS, |rules| {
+        rules.fill = Fill::Scan(Scan { first: Cut::Floor(0.0), end: Cut::Floor(-0.5), ..Scan::RIGHT })
+    }),
     mutant(ENDS, |rules| rules.fill = Fill::Scan(Scan { first: Cut::Ceil(0.0), end: Cut::Floor(0.0), ..Scan::RIGHT })),
     mutant(ENDS, |rules| rules.fill = Fill::Scan(Scan { first: Cut::Ceil(0.0), end: Cut::Ceil(0.0), ..Scan::RIGHT })),
     mutant(ENDS, |rules| rules.fill = Fill::Scan(Scan { first: Cut::Ceil(0.0), end: Cut::Floor(1.0), ..Scan::RIGHT })),
@@ -156,7 +158,9 @@ pub(super) const MUTANTS: &[Mutant] = &[
     mutant(ENDS, |rules| rules.fill = Fill::Scan(Scan { first: Cut::Floor(1.0), end: Cut::Floor(1.5), ..Scan::RIGHT })),
     mutant(ENDS, |rules| rules.fill = Fill::Scan(Scan { first: Cut::Floor(1.0), end: Cut::Ceil(0.5), ..Scan::RIGHT })),
     mutant(ENDS, |rules| rules.fill = Fill::Scan(Scan { first: Cut::Floor(1.0), end: Cut::Ceil(-1.5), ..Scan::RIGHT })),
-    mutant(ENDS, |rules| rules.fill = Fill::Scan(Scan { first: Cut::Floor(1.0), end: Cut::Floor(-0.5), ..Scan::RIGHT })),
+    mutant(ENDS, |rules| {
+        rules.fill = Fill::Scan(Scan { first: Cut::Floor(1.0), end: Cut::Floor(-0.5), ..Scan::RIGHT })
+    }),
     mutant(ENDS, |rules| rules.fill = Fill::Scan(Scan { first: Cut::Floor(0.5), end: Cut::Floor(0.0), ..Scan::RIGHT })),
     mutant(ENDS, |rules| rules.fill = Fill::Scan(Scan { first: Cut::Floor(0.5), end: Cut::Ceil(0.0), ..Scan::RIGHT })),
     mutant(ENDS, |rules| rules.fill = Fill::Scan(Scan { first: Cut::Floor(0.5), end: Cut::Floor(1.0), ..Scan::RIGHT })),
@@ -164,7 +168,9 @@ pub(super) const MUTANTS: &[Mutant] = &[
     mutant(ENDS, |rules| rules.fill = Fill::Scan(Scan { first: Cut::Floor(0.5), end: Cut::Floor(1.5), ..Scan::RIGHT })),
     mutant(ENDS, |rules| rules.fill = Fill::Scan(Scan { first: Cut::Floor(0.5), end: Cut::Ceil(0.5), ..Scan::RIGHT })),
     mutant(ENDS, |rules| rules.fill = Fill::Scan(Scan { first: Cut::Floor(0.5), end: Cut::Ceil(-1.5), ..Scan::RIGHT })),
-    mutant(ENDS, |rules| rules.fill = Fill::Scan(Scan { first: Cut::Floor(0.5), end: Cut::Floor(-0.5), ..Scan::RIGHT })),
+    mutant(ENDS, |rules| {
+        rules.fill = Fill::Scan(Scan { first: Cut::Floor(0.5), end: Cut::Floor(-0.5), ..Scan::RIGHT })
+    }),
     mutant(ENDS, |rules| rules.fill = Fill::Scan(Scan { first: Cut::Ceil(-0.5), end: Cut::Floor(0.0), ..Scan::RIGHT })),
     mutant(ENDS, |rules| rules.fill = Fill::Scan(Scan { first: Cut::Ceil(-0.5), end: Cut::Ceil(0.0), ..Scan::RIGHT })),
     mutant(ENDS, |rules| rules.fill = Fill::Scan(Scan { first: Cut::Ceil(-0.5), end: Cut::Floor(1.0), ..Scan::RIGHT })),
@@ -172,20 +178,36 @@ pub(super) const MUTANTS: &[Mutant] = &[
     mutant(ENDS, |rules| rules.fill = Fill::Scan(Scan { first: Cut::Ceil(-0.5), end: Cut::Floor(1.5), ..Scan::RIGHT })),
     mutant(ENDS, |rules| rules.fill = Fill::Scan(Scan { first: Cut::Ceil(-0.5), end: Cut::Ceil(0.5), ..Scan::RIGHT })),
     mutant(ENDS, |rules| rules.fill = Fill::Scan(Scan { first: Cut::Ceil(-0.5), end: Cut::Ceil(-1.5), ..Scan::RIGHT })),
-    mutant(ENDS, |rules| rules.fill = Fill::Scan(Scan { first: Cut::Ceil(-0.5), end: Cut::Floor(-0.5), ..Scan::RIGHT })),
+    mutant(ENDS, |rules| {
+        rules.fill = Fill::Scan(Scan { first: Cut::Ceil(-0.5), end: Cut::Floor(-0.5), ..Scan::RIGHT })
+    }),
     mutant(ENDS, |rules| rules.fill = Fill::Scan(Scan { first: Cut::Ceil(0.5), end: Cut::Ceil(-0.5), ..Scan::RIGHT })),
     mutant(ENDS, |rules| rules.fill = Fill::Scan(Scan { first: Cut::Ceil(-1.5), end: Cut::Ceil(-0.5), ..Scan::RIGHT })),
     mutant(ENDS, |rules| rules.fill = Fill::Scan(Scan { first: Cut::Ceil(0.5), end: Cut::Ceil(0.5), ..Scan::RIGHT })),
     mutant(ENDS, |rules| rules.fill = Fill::Scan(Scan { first: Cut::Ceil(0.5), end: Cut::Ceil(-1.5), ..Scan::RIGHT })),
     mutant(ENDS, |rules| rules.fill = Fill::Scan(Scan { first: Cut::Floor(1.5), end: Cut::Floor(0.5), ..Scan::RIGHT })),
     mutant(NEVER_EMPTY, |rules| rules.fill = Fill::Scan(Scan { is_never_empty: true, ..Scan::RIGHT })),
-    mutant(ROWS, |rules| rules.fill = Fill::Scan(Scan { row: 0.0, first: Cut::Ceil(-0.5), end: Cut::Ceil(-0.5), ..Scan::RIGHT })),
-    mutant(ROWS, |rules| rules.fill = Fill::Scan(Scan { row: 0.0, first: Cut::Ceil(0.0), end: Cut::Ceil(0.0), ..Scan::RIGHT })),
-    mutant(ROWS, |rules| rules.fill = Fill::Scan(Scan { row: 0.0, first: Cut::Floor(0.0), end: Cut::Floor(0.0), ..Scan::RIGHT })),
-    mutant(ROWS, |rules| rules.fill = Fill::Scan(Scan { row: 0.0, first: Cut::Floor(0.0), end: Cut::Floor(1.0), ..Scan::RIGHT })),
-    mutant(ROWS, |rules| rules.fill = Fill::Scan(Scan { row: 0.0, first: Cut::Floor(0.5), end: Cut::Floor(1.5), ..Scan::RIGHT })),
-    mutant(ROWS, |rules| rules.fill = Fill::Scan(Scan { row: 0.0, first: Cut::Floor(0.0), end: Cut::Ceil(0.0), ..Scan::RIGHT })),
-    mutant(ROWS, |rules| rules.fill = Fill::Scan(Scan { row: 0.0, first: Cut::Ceil(0.0), end: Cut::Floor(1.0), ..Scan::RIGHT })),
+    mutant(ROWS, |rules| {
+        rules.fill = Fill::Scan(Scan { row: 0.0, first: Cut::Ceil(-0.5), end: Cut::Ceil(-0.5), ..Scan::RIGHT })
+    }),
+    mutant(ROWS, |rules| {
+        rules.fill = Fill::Scan(Scan { row: 0.0, first: Cut::Ceil(0.0), end: Cut::Ceil(0.0), ..Scan::RIGHT })
+    }),
+    mutant(ROWS, |rules| {
+        rules.fill = Fill::Scan(Scan { row: 0.0, first: Cut::Floor(0.0), end: Cut::Floor(0.0), ..Scan::RIGHT })
+    }),
+    mutant(ROWS, |rules| {
+        rules.fill = Fill::Scan(Scan { row: 0.0, first: Cut::Floor(0.0), end: Cut::Floor(1.0), ..Scan::RIGHT })
+    }),
+    mutant(ROWS, |rules| {
+        rules.fill = Fill::Scan(Scan { row: 0.0, first: Cut::Floor(0.5), end: Cut::Floor(1.5), ..Scan::RIGHT })
+    }),
+    mutant(ROWS, |rules| {
+        rules.fill = Fill::Scan(Scan { row: 0.0, first: Cut::Floor(0.0), end: Cut::Ceil(0.0), ..Scan::RIGHT })
+    }),
+    mutant(ROWS, |rules| {
+        rules.fill = Fill::Scan(Scan { row: 0.0, first: Cut::Ceil(0.0), end: Cut::Floor(1.0), ..Scan::RIGHT })
+    }),
     mutant(ROWS, |rules| rules.fill = Fill::Scan(Scan { row: 1.0, ..Scan::RIGHT })),
     mutant(TWICE, |rules| rules.fill = Fill::Scan(Scan { owns: Owns::Both, odd: Odd::Dropped, ..Scan::RIGHT })),
     mutant(TWICE, |rules| rules.fill = Fill::Scan(Scan { owns: Owns::Neither, odd: Odd::Dropped, ..Scan::RIGHT })),
@@ -201,8 +223,12 @@ pub(super) const MUTANTS: &[Mutant] = &[
     mutant(LEVEL, |rules| rules.fill = Fill::Scan(Scan { owns: Owns::Level, odd: Odd::RunsOn, ..Scan::RIGHT })),
     mutant(OPEN, |rules| rules.fill = Fill::Scan(Scan { edges: Edges::LastLost, odd: Odd::RunsOn, ..Scan::RIGHT })),
     mutant(OPEN, |rules| rules.fill = Fill::Scan(Scan { edges: Edges::FirstLost, odd: Odd::RunsOn, ..Scan::RIGHT })),
-    mutant(ONE_WAY, |rules| rules.fill = Fill::Scan(Scan { edges: Edges::UpwardLost, odd: Odd::RunsOn, ..Scan::RIGHT })),
-    mutant(ONE_WAY, |rules| rules.fill = Fill::Scan(Scan { edges: Edges::DownwardLost, odd: Odd::RunsOn, ..Scan::RIGHT })),
+    mutant(ONE_WAY, |rules| {
+        rules.fill = Fill::Scan(Scan { edges: Edges::UpwardLost, odd: Odd::RunsOn, ..Scan::RIGHT })
+    }),
+    mutant(ONE_WAY, |rules| {
+        rules.fill = Fill::Scan(Scan { edges: Edges::DownwardLost, odd: Odd::RunsOn, ..Scan::RIGHT })
+    }),
     mutant(LATE, |rules| rules.fill = Fill::Scan(Scan { ends_late: 1, odd: Odd::RunsOn, ..Scan::RIGHT })),
     mutant(LATE, |rules| rules.fill = Fill::Scan(Scan { ends_late: i32::MAX, odd: Odd::RunsOn, ..Scan::RIGHT })),
     mutant(STARTS, |rules| rules.fill = Fill::Scan(Scan { starts_late: 1, odd: Odd::RunsOn, ..Scan::RIGHT })),
@@ -212,8 +238,12 @@ pub(super) const MUTANTS: &[Mutant] = &[
     mutant(LEVEL, |rules| rules.fill = Fill::Scan(Scan { owns: Owns::Level, odd: Odd::FromLeft, ..Scan::RIGHT })),
     mutant(OPEN, |rules| rules.fill = Fill::Scan(Scan { edges: Edges::LastLost, odd: Odd::FromLeft, ..Scan::RIGHT })),
     mutant(OPEN, |rules| rules.fill = Fill::Scan(Scan { edges: Edges::FirstLost, odd: Odd::FromLeft, ..Scan::RIGHT })),
-    mutant(ONE_WAY, |rules| rules.fill = Fill::Scan(Scan { edges: Edges::UpwardLost, odd: Odd::FromLeft, ..Scan::RIGHT })),
-    mutant(ONE_WAY, |rules| rules.fill = Fill::Scan(Scan { edges: Edges::DownwardLost, odd: Odd::FromLeft, ..Scan::RIGHT })),
+    mutant(ONE_WAY, |rules| {
+        rules.fill = Fill::Scan(Scan { edges: Edges::UpwardLost, odd: Odd::FromLeft, ..Scan::RIGHT })
+    }),
+    mutant(ONE_WAY, |rules| {
+        rules.fill = Fill::Scan(Scan { edges: Edges::DownwardLost, odd: Odd::FromLeft, ..Scan::RIGHT })
+    }),
     mutant(LATE, |rules| rules.fill = Fill::Scan(Scan { ends_late: 1, odd: Odd::FromLeft, ..Scan::RIGHT })),
     mutant(LATE, |rules| rules.fill = Fill::Scan(Scan { ends_late: i32::MAX, odd: Odd::FromLeft, ..Scan::RIGHT })),
     mutant(STARTS, |rules| rules.fill = Fill::Scan(Scan { starts_late: 1, odd: Odd::FromLeft, ..Scan::RIGHT })),
