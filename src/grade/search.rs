@@ -24,7 +24,7 @@ const MOST_PAIR_SEARCHES: usize = 2;
 /// More mistakes in one rasterizer are not told apart.
 const MOST_FAULTS: usize = 5;
 /// Aspects that a mistake must explain whole to stand beside what nothing explains.
-const WHOLE_ASPECTS: usize = 3;
+const WHOLE_ASPECTS: usize = 2;
 
 /// Pixels of all pictures that are not as the rules say.
 pub(super) fn mismatches(shots: &[Shot], rules: &Rules) -> usize {
