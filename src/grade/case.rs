@@ -149,6 +149,18 @@ impl Case {
         Case { name, width, height, samples: 1, faces, background, lamp, lines: false }
     }
 
+    /// The same picture of the polygons that a rasterizer accepts: what is wrong with triangles is wrong with each of them.
+    #[must_use]
+    pub fn cut_for(mut self, accepts: Accepts) -> Case {
+        let lines = self.lines;
+        let cut = |face: Face| {
+            let parts = pieces(&face.corners, accepts, lines);
+            parts.into_iter().map(move |corners| Face { corners, ..face.clone() })
+        };
+        self.faces = self.faces.into_iter().flat_map(cut).collect();
+        self
+    }
+
     /// What else the picture depends on.
     #[must_use]
     pub fn sheet(&self) -> Sheet {

@@ -5,28 +5,75 @@
 //!
 //! Cost: a few operations an edge and sample.
 
-use super::rules::{Bounds, Fill, Rounding, Rules, SpanRule, Ties, Winding};
+use super::quarters;
+use super::rules::{Bounds, BoundsBy, Fill, Pieces, Rounding, Rules, Ties, Winding};
+use super::scan;
 use crate::math::edges;
 
 type Point = (f64, f64);
 
 /// An outline as the rules see it.
 pub(super) struct Outline {
+    pieces: Vec<Piece>,
+    /// What two pieces cover is outside again.
+    toggles: bool,
+}
+
+/// A part that is filled by itself.
+struct Piece {
     corners: Vec<Point>,
     low: Point,
     high: Point,
     is_drawn: bool,
+    /// Columns and rows that are looked at, first and last.
+    window: [i32; 4],
+    /// Of every row, where spans decide.
+    spans: Vec<Vec<(i32, i32)>>,
+    size: (i32, i32),
 }
 
 impl Outline {
-    pub fn new(corners: &[Point], rules: &Rules) -> Outline {
+    /// `size`: of the picture, in samples.
+    pub fn new(corners: &[Point], rules: &Rules, size: (u32, u32)) -> Outline {
         let round = |x: f64| match rules.corners {
             Rounding::None => x,
             Rounding::Down => x.floor(),
             Rounding::Nearest => (x + 0.5).floor(),
             Rounding::Up => x.ceil(),
+            Rounding::DownTo(parts) => (x * f64::from(parts)).floor() / f64::from(parts),
+            Rounding::NearestTo(parts) => (x * f64::from(parts) + 0.5).floor() / f64::from(parts),
         };
         let corners: Vec<Point> = corners.iter().map(|&(x, y)| (round(x), round(y))).collect();
+        let size = (size.0 as i32, size.1 as i32);
+        let pieces = cut(corners, rules.pieces).into_iter().map(|corners| Piece::new(corners, rules, size)).collect();
+        let toggles = matches!(rules.pieces, Pieces::Fan { toggles: true, .. } | Pieces::Strip { toggles: true });
+        Outline { pieces, toggles }
+    }
+
+    /// Whether sample (x, y) is drawn.
+    pub fn covers(&self, sample: (i32, i32), rules: &Rules) -> bool {
+        let mut covering = self.pieces.iter().filter(|piece| piece.covers(sample, rules));
+        if self.toggles { covering.count() % 2 == 1 } else { covering.next().is_some() }
+    }
+}
+
+/// The parts of an outline.
+fn cut(corners: Vec<Point>, pieces: Pieces) -> Vec<Vec<Point>> {
+    let count = corners.len();
+    match pieces {
+        Pieces::Whole => vec![corners],
+        Pieces::FirstCorners(most) => vec![corners[..count.min(most)].to_vec()],
+        Pieces::Fan { from, skipped, lost, .. } => {
+            let corner = |number: usize| corners[(from + number) % count];
+            let end = (count - 1).saturating_sub(lost);
+            (1 + skipped..end).map(|number| vec![corner(0), corner(number), corner(number + 1)]).collect()
+        }
+        Pieces::Strip { .. } => corners.windows(3).map(<[Point]>::to_vec).collect(),
+    }
+}
+
+impl Piece {
+    fn new(corners: Vec<Point>, rules: &Rules, size: (i32, i32)) -> Piece {
         let extreme = |pick: fn(f64, f64) -> f64, start: f64| {
             corners.iter().fold((start, start), |(x, y), corner| (pick(x, corner.0), pick(y, corner.1)))
         };
@@ -38,12 +85,18 @@ impl Outline {
             Winding::Clockwise => twice_area > 0.0,
             Winding::CounterClockwise => twice_area < 0.0,
         };
-        Outline { is_drawn: turns_right && twice_area.abs() / 2.0 >= rules.least_area, corners, low, high }
+        let is_drawn = turns_right && twice_area.abs() / 2.0 >= rules.least_area;
+        let spans = match &rules.fill {
+            Fill::Scan(scan) if is_drawn => scan::spans(&corners, scan, size),
+            _ => Vec::new(),
+        };
+        let window = window((low, high), rules.bounds, size);
+        Piece { is_drawn, corners, low, high, window, spans, size }
     }
 
-    /// Whether sample (x, y) is drawn.
-    pub fn covers(&self, (x, y): (i32, i32), rules: &Rules) -> bool {
-        if !self.is_drawn || !self.in_bounds((x, y), rules.bounds) {
+    fn covers(&self, (x, y): (i32, i32), rules: &Rules) -> bool {
+        let [left, right, top, bottom] = self.window;
+        if !self.is_drawn || x < left || x > right || y < top || y > bottom {
             return false;
         }
         let point = (f64::from(x) + rules.cover_at.0, f64::from(y) + rules.cover_at.1);
@@ -51,28 +104,20 @@ impl Outline {
             Fill::Nothing => false,
             Fill::Box => self.in_box(point),
             Fill::Corners => self.has_corner_in((x, y), rules.cover_at),
-            Fill::Spans(rule) => self.in_span((x, y), rule),
+            Fill::Scan(_) => self.spans[y as usize].iter().any(|&(first, end)| first <= x && x < end),
             Fill::Hull => self.is_between(point, rules.ties),
             Fill::AllEdges => self.is_on_one_side(point, rules.ties),
             Fill::BothEnds => has_odd_crossings(&self.corners, point, true),
             Fill::Outline => is_inside(&self.corners, point, rules.ties),
-            Fill::FirstTriangle => is_inside(&self.corners[..3], point, rules.ties),
-            Fill::Fan => self.corners[1..]
-                .windows(2)
-                .any(|pair| is_inside(&[self.corners[0], pair[0], pair[1]], point, rules.ties)),
-        }
-    }
-
-    fn in_bounds(&self, (x, y): (i32, i32), bounds: Bounds) -> bool {
-        let (x, y) = (f64::from(x), f64::from(y));
-        let (last, first) = ((self.high.0.floor(), self.high.1.floor()), (self.low.0.floor(), self.low.1.floor()));
-        match bounds {
-            Bounds::Whole => true,
-            Bounds::ColumnShort => x < last.0,
-            Bounds::RowShort => y < last.1,
-            Bounds::BothShort => x < last.0 && y < last.1,
-            Bounds::FirstColumnLost => x > first.0,
-            Bounds::FirstRowLost => y > first.1,
+            Fill::Outside => self.in_box(point) && !is_inside(&self.corners, point, rules.ties),
+            Fill::Narrow(parts) => self.is_on_one_side_in_16_bits(point, f64::from(parts)),
+            Fill::Quarters(slip) => {
+                let asked = quarters::asked(&self.corners, slip, self.size, (x, y));
+                asked.is_some_and(|(x, y)| {
+                    let point = (f64::from(x) + rules.cover_at.0, f64::from(y) + rules.cover_at.1);
+                    is_inside(&self.corners, point, rules.ties)
+                })
+            }
         }
     }
 
@@ -98,19 +143,37 @@ impl Outline {
         edges(&self.corners).all(|(a, b)| sign_with_ties(cross(*a, *b, point), *a, *b, ties) == turn)
     }
 
-    fn in_span(&self, (x, y): (i32, i32), rule: SpanRule) -> bool {
-        let line = f64::from(y) + rule.row;
-        let crossing = |(a, b): (&Point, &Point)| {
-            let (top, bottom) = if a.1 <= b.1 { (a, b) } else { (b, a) };
-            let spans = top.1 <= line && line < bottom.1;
-            spans.then(|| top.0 + (bottom.0 - top.0) * (line - top.1) / (bottom.1 - top.1))
-        };
-        let mut crossings: Vec<f64> = edges(&self.corners).filter_map(crossing).collect();
-        crossings.sort_by(f64::total_cmp);
-        let column = f64::from(x);
-        crossings
-            .chunks_exact(2)
-            .any(|pair| (pair[0] + rule.first).floor() <= column && column < (pair[1] + rule.end).floor())
+    fn is_on_one_side_in_16_bits(&self, point: Point, parts: f64) -> bool {
+        let turn = if twice_area(&self.corners) > 0.0 { 1.0 } else { -1.0 };
+        // Whoever keeps differences in 16 bits loses what is above.
+        let narrow = |difference: f64| f64::from((difference * parts).round() as i64 as i16);
+        edges(&self.corners).all(|(a, b)| {
+            let (along, across) = (narrow(b.0 - a.0), narrow(b.1 - a.1));
+            let value = (along * narrow(point.1 - a.1) - across * narrow(point.0 - a.0)) * turn;
+            let is_owned = (b.1 - a.1) * turn < 0.0 || (a.1 == b.1 && (b.0 - a.0) * turn > 0.0);
+            value > 0.0 || (value == 0.0 && is_owned)
+        })
+    }
+}
+
+/// Columns and rows of the bounds that are looked at: left, right, top, bottom, all included.
+fn window((low, high): (Point, Point), bounds: Bounds, size: (i32, i32)) -> [i32; 4] {
+    let whole = |x: f64| x as i32;
+    let range = |low: f64, high: f64, size: i32| match bounds.by {
+        BoundsBy::Floor => (whole(low.floor()), whole(high.floor())),
+        BoundsBy::Clipped => (whole(low.floor()), whole(high.floor()).min(size - 1)),
+        BoundsBy::Centers => (whole((low - 0.5).ceil()), whole((high - 0.5).ceil()) - 1),
+        BoundsBy::Inner => (whole(low.ceil()), whole(high.floor()) - 1),
+        BoundsBy::Rounded => (whole((low + 0.5).floor()), whole((high + 0.5).floor()) - 1),
+    };
+    let ((left, right), (top, bottom)) = (range(low.0, high.0, size.0), range(low.1, high.1, size.1));
+    let [of_left, of_right, of_top, of_bottom] = bounds.lost;
+    // Whatever is looked at beyond the bounds holds nothing; so the bounds do not decide where nothing is lost.
+    let all = bounds == Bounds::WHOLE;
+    if all {
+        [0, size.0 - 1, 0, size.1 - 1]
+    } else {
+        [left + of_left, right - of_right, top + of_top, bottom - of_bottom]
     }
 }
 
@@ -155,6 +218,13 @@ fn is_inside(corners: &[Point], point: Point, ties: Ties) -> bool {
     };
     match ties {
         Ties::Consistent { .. } => odd(ties),
+        Ties::Sides { .. } => {
+            if is_on_outline(corners, point) {
+                owns_all_touched(corners, point, ties)
+            } else {
+                odd(Ties::LEFT_TOP)
+            }
+        }
         Ties::All => odd(Ties::LEFT_TOP) || is_on_outline(corners, point),
         Ties::Nobody => odd(Ties::LEFT_TOP) && !is_on_outline(corners, point),
     }
@@ -169,9 +239,27 @@ fn has_odd_crossings(corners: &[Point], point: Point, both_ends: bool) -> bool {
     edges(corners).filter(|&(a, b)| crossed((a, b))).count() % 2 == 1
 }
 
-fn is_on_outline(corners: &[Point], (x, y): Point) -> bool {
-    edges(corners).any(|(a, b)| {
-        let within = x >= a.0.min(b.0) && x <= a.0.max(b.0) && y >= a.1.min(b.1) && y <= a.1.max(b.1);
-        within && cross(*a, *b, (x, y)) == 0.0
+fn is_on_outline(corners: &[Point], point: Point) -> bool {
+    edges(corners).any(|(a, b)| touches(*a, *b, point))
+}
+
+fn touches(a: Point, b: Point, (x, y): Point) -> bool {
+    let within = x >= a.0.min(b.0) && x <= a.0.max(b.0) && y >= a.1.min(b.1) && y <= a.1.max(b.1);
+    within && cross(a, b, (x, y)) == 0.0
+}
+
+/// Whether every edge that the point lies on belongs to the polygon.
+fn owns_all_touched(corners: &[Point], point: Point, ties: Ties) -> bool {
+    let Ties::Sides { left, right, top, bottom } = ties else { return false };
+    let turn = if twice_area(corners) > 0.0 { 1.0 } else { -1.0 };
+    edges(corners).filter(|(a, b)| touches(**a, **b, point)).all(|(a, b)| {
+        let (dx, dy) = ((b.0 - a.0) * turn, (b.1 - a.1) * turn);
+        if dy == 0.0 {
+            if dx > 0.0 { top } else { bottom }
+        } else if dy < 0.0 {
+            left
+        } else {
+            right
+        }
     })
 }

@@ -14,6 +14,7 @@
 use super::case::{Case, Face};
 use super::covered::Outline;
 use super::lighting;
+use super::line_spans;
 use super::lines;
 use super::place;
 use super::rules::{Blending, Carried, DepthFrom, Front, Interpolation, Levels, PixelFrom, Rules};
@@ -100,13 +101,19 @@ fn paint_lines(case: &Case, rules: &Rules) -> Vec<Sample> {
 }
 
 fn paint_samples(case: &Case, rules: &Rules) -> Vec<Sample> {
-    let outlines: Vec<Outline> = case.faces.iter().map(|face| Outline::new(&face.corners, rules)).collect();
+    let outlines: Vec<Outline> =
+        case.faces.iter().map(|face| Outline::new(&face.corners, rules, (case.width, case.height))).collect();
     let corner_values: Vec<_> = case.faces.iter().map(|face| carried(face, rules.carried)).collect();
     let mut samples = Vec::new();
     for y in 0..case.height as i32 {
+        let outlines = &outlines;
+        let covers = move |x: i32| (0..case.faces.len()).filter(move |&index| outlines[index].covers((x, y), rules));
+        let line = line_spans::stacks(case, rules, y, &covers);
         for x in 0..case.width as i32 {
-            let covering = (0..case.faces.len()).filter(|&index| outlines[index].covers((x, y), rules));
-            let stack = Stack::of(case, rules, (x, y), covering);
+            let stack = match &line {
+                None => Stack::of(case, rules, (x, y), covers(x)),
+                Some(stacks) => stacks[x as usize].clone(),
+            };
             let color = |index: usize| {
                 let color = face_color(case, index, &corner_values[index], rules, (x, y));
                 rules.face_channels.map(|channel| color[channel])
@@ -118,15 +125,16 @@ fn paint_samples(case: &Case, rules: &Rules) -> Vec<Sample> {
 }
 
 /// What covers one sample.
-struct Stack {
+#[derive(Clone, Default)]
+pub(super) struct Stack {
     /// Face, depth, and whether it was in front of what was opaque when its turn came; in list order.
     layers: Vec<(usize, f64, bool)>,
     /// The opaque face that keeps the sample.
-    front: Option<(usize, f64)>,
+    pub front: Option<(usize, f64)>,
 }
 
 impl Stack {
-    fn of(case: &Case, rules: &Rules, sample: (i32, i32), covering: impl Iterator<Item = usize>) -> Stack {
+    pub fn of(case: &Case, rules: &Rules, sample: (i32, i32), covering: impl Iterator<Item = usize>) -> Stack {
         let mut stack = Stack { layers: Vec::new(), front: None };
         for index in covering {
             let face = &case.faces[index];

@@ -4,6 +4,8 @@
 //! rasterizer with that mistake would. Two mistakes are two changed fields, so mistakes found earlier can be built into what
 //! later pictures are held against: one slip does not fail everything after it.
 
+use super::scan::Scan;
+
 /// Everything a picture is decided by.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rules {
@@ -17,6 +19,10 @@ pub struct Rules {
     pub ties: Ties,
     /// What "inside" means.
     pub fill: Fill,
+    /// The parts an outline is cut into before it is filled.
+    pub pieces: Pieces,
+    /// How the faces of a line are told apart span by span.
+    pub line: LineSpans,
     /// Which way round an outline may go.
     pub winding: Winding,
     /// Polygons of a smaller area in samples are not drawn.
@@ -68,6 +74,10 @@ pub enum Rounding {
     Nearest,
     /// To the right, down.
     Up,
+    /// Down to a part of a sample: one over this.
+    DownTo(u16),
+    /// To the nearest of such parts.
+    NearestTo(u16),
 }
 
 /// Who gets a center exactly on an edge.
@@ -81,6 +91,17 @@ pub enum Ties {
         y: i8,
         /// x decides where both could.
         x_first: bool,
+    },
+    /// Whoever it is a left, right, upper, lower edge of, as said: rules that leave or share some.
+    Sides {
+        /// Left edges belong to the polygon.
+        left: bool,
+        /// Right ones do.
+        right: bool,
+        /// Level edges above it do.
+        top: bool,
+        /// Level edges below it do.
+        bottom: bool,
     },
     /// Everybody who touches it.
     All,
@@ -112,6 +133,7 @@ impl Ties {
                 if y > 0 { "upper" } else { "lower" },
                 if x_first { "" } else { ", the upper or lower side deciding first" }
             ),
+            Ties::Sides { .. } => "some edges belong to both sides or to none".to_string(),
             Ties::All => "every edge belongs to the polygon".to_string(),
             Ties::Nobody => "no edge belongs to the polygon".to_string(),
         }
@@ -129,29 +151,92 @@ pub enum Fill {
     AllEdges,
     /// The bounding box.
     Box,
-    /// A fan of triangles from the first corner: right for convex outlines only.
-    Fan,
     /// Edges own both their ends: parity is wrong where a corner lies on a scan line.
     BothEnds,
     /// The samples that hold a corner.
     Corners,
-    /// The first triangle only.
-    FirstTriangle,
     /// Nothing at all.
     Nothing,
-    /// Rounded scan-line spans.
-    Spans(SpanRule),
+    /// The bounding box without the inside.
+    Outside,
+    /// Edge functions of 16-bit differences, in steps of a sample: one over this.
+    Narrow(u16),
+    /// Spans of an edge table.
+    Scan(Scan),
+    /// Boxes that are quartered until no edge comes near.
+    Quarters(Quarters),
 }
 
-/// How a scan line's span is rounded to columns: offsets added before rounding down.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SpanRule {
-    /// Which line inside a row is looked at: 0.5 is right.
-    pub row: f64,
-    /// First column: floor(x + first).
-    pub first: f64,
-    /// Column after the last: floor(x + end).
-    pub end: f64,
+/// The parts an outline is cut into before it is filled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pieces {
+    /// None: it is filled whole.
+    Whole,
+    /// Its first corners, this many.
+    FirstCorners(usize),
+    /// Triangles from a corner, counted from the first: right for convex outlines.
+    Fan {
+        /// The corner they meet in.
+        from: usize,
+        /// Triangles left out at the beginning.
+        skipped: usize,
+        /// Triangles left out at the end.
+        lost: usize,
+        /// Samples in two of them are outside again: right for all outlines.
+        toggles: bool,
+    },
+    /// Triangles of three corners in a row.
+    Strip {
+        /// Samples in two of them are outside again.
+        toggles: bool,
+    },
+}
+
+/// How the faces of a line are told apart span by span.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LineSpans {
+    /// Sample by sample.
+    None,
+    /// The face in front at the left end of a span is shown on all of it.
+    LeftEnd,
+    /// That at the right end.
+    RightEnd,
+    /// That in the middle.
+    Middle,
+    /// A span whose ends differ is halved once.
+    HalvedOnce,
+    /// A span whose ends differ is halved, and the sample in the middle is in neither half.
+    MiddleLost,
+    /// Spans are cut where a face begins, not where one ends.
+    EndsCutNothing,
+    /// Spans are cut where a face ends, not where one begins.
+    BeginningsCutNothing,
+    /// The last span of a line is lost.
+    LastLost,
+    /// The first span of a line is lost.
+    FirstLost,
+    /// The last sample of every span is lost.
+    LastSampleLost,
+    /// The first sample of every span is lost.
+    FirstSampleLost,
+}
+
+/// What is wrong with quartering boxes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quarters {
+    /// The edge that closes the outline, or the first, is not looked at.
+    EdgeForgotten {
+        /// The last one; else the first.
+        closing: bool,
+    },
+    /// Corners are looked for, not edges.
+    CornersOnly,
+    /// Boxes of that many samples a side are not quartered.
+    Smallest(i32),
+    /// Halves of odd sizes are cut.
+    OddCut,
+    /// One of the quarters is forgotten.
+    Lost(u8),
 }
 
 /// Which way round an outline may go.
@@ -167,19 +252,31 @@ pub enum Winding {
 
 /// How much of the bounds is looked at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Bounds {
+pub struct Bounds {
+    /// Columns lost on the left and right, rows lost above and below.
+    pub lost: [i32; 4],
+    /// What the bounds are.
+    pub by: BoundsBy,
+}
+
+impl Bounds {
     /// All of them.
-    Whole,
-    /// Without the last column.
-    ColumnShort,
-    /// Without the last row.
-    RowShort,
-    /// Without both.
-    BothShort,
-    /// Without the first column.
-    FirstColumnLost,
-    /// Without the first row.
-    FirstRowLost,
+    pub const WHOLE: Bounds = Bounds { lost: [0; 4], by: BoundsBy::Floor };
+}
+
+/// What the bounds of a polygon are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BoundsBy {
+    /// From floor(least) to floor(greatest).
+    Floor,
+    /// The same, cut to the picture.
+    Clipped,
+    /// From the first to the last center between them.
+    Centers,
+    /// From ceil(least) to floor(greatest) - 1: whole samples only.
+    Inner,
+    /// From round(least) to round(greatest), without that.
+    Rounded,
 }
 
 /// Which part of the picture is never drawn.
@@ -396,9 +493,11 @@ impl Default for Rules {
             corners: Rounding::None,
             ties: Ties::LEFT_TOP,
             fill: Fill::Outline,
+            pieces: Pieces::Whole,
+            line: LineSpans::None,
             winding: Winding::Both,
             least_area: 0.0,
-            bounds: Bounds::Whole,
+            bounds: Bounds::WHOLE,
             border: Border::None,
             place: Place::Right,
             front: Front::Nearest,

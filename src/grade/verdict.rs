@@ -30,6 +30,8 @@ pub struct Shot {
     pub judged: usize,
     /// What else is wrong.
     pub complaint: Option<String>,
+    /// The case with its list reversed, and the picture of that, when it is wrong.
+    pub turned: Option<(Case, Picture)>,
 }
 
 impl Shot {
@@ -234,6 +236,7 @@ type Drawn = Result<Answer, Failure>;
 
 /// Each case with its answer: one by one, so that whoever is asked in vain is asked late; together where that saves starts.
 fn drawn<'a>(subject: &'a dyn Subject, cases: Vec<Case>) -> Box<dyn Iterator<Item = (Case, Drawn)> + 'a> {
+    let cases: Vec<Case> = cases.into_iter().map(|case| case.cut_for(subject.accepts())).collect();
     let list = |case: &Case| case.list(subject.accepts());
     let is_one_sheet = cases.windows(2).all(|pair| pair[0].sheet() == pair[1].sheet());
     if subject.batch() > 1 && is_one_sheet && cases.len() > 1 {
@@ -251,11 +254,11 @@ fn drawn<'a>(subject: &'a dyn Subject, cases: Vec<Case>) -> Box<dyn Iterator<Ite
 fn shoot(subject: &dyn Subject, case: Case, answer: Drawn, watch: Watch) -> Shot {
     let right = paint(&case, &Rules::default());
     let answer = checked(answer, &right);
-    let mut shot = Shot { case, answer, wrong: Vec::new(), judged: 0, complaint: None };
+    let mut shot = Shot { case, answer, wrong: Vec::new(), judged: 0, complaint: None, turned: None };
     let Ok(answer) = &shot.answer else { return shot };
     shot.wrong = wrong(&answer.picture, &right);
     shot.judged = right.disputed.iter().filter(|&&disputed| !disputed).count();
-    shot.complaint = watch::complaint(subject, &shot, watch);
+    shot.complaint = watch::complaint(subject, &mut shot, watch);
     shot
 }
 

@@ -240,7 +240,7 @@ fn shows_another(case: &Case, (shown, front): ([u8; 3], usize), sample: (i32, i3
     case.faces.iter().enumerate().any(|(index, face)| {
         index != front
             && level(face.values_at(face.corners[0])) == shown
-            && Outline::new(&face.corners, &rules).covers(sample, &rules)
+            && Outline::new(&face.corners, &rules, (case.width, case.height)).covers(sample, &rules)
     })
 }
 

@@ -62,10 +62,14 @@ pub fn piercing(seed: u64) -> Vec<Case> {
         triangle(random.triangle(12, 12), depths, number)
     });
     let any = any.collect();
+    // They meet beside the middle of every line, and further right on each: neither one end nor one corner decides.
+    let whole = rectangle(0.25, 0.25, 15.75, 8.75);
+    let beside = vec![Face::slanted(&whole, [0.2, 0.8, 0.8], tint(0)), Face::slanted(&whole, [0.1, 0.1, 0.6], tint(1))];
     vec![
         Case::new("crossing", (12, 12), cross),
         Case::new("ring", (12, 12), ring),
         Case::new("random planes", (12, 12), any),
+        Case::new("meeting beside the middle", (16, 9), beside),
     ]
 }
 

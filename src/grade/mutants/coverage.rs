@@ -1,7 +1,7 @@
 //! Mistakes about which samples a polygon covers.
 
 use super::{Mutant, mutant};
-use crate::grade::rules::{Bounds, Fill, Front, Rounding, SpanRule, Ties, Winding};
+use crate::grade::rules::{Bounds, BoundsBy, Fill, Front, Pieces, Rounding, Ties, Winding};
 
 const PAGE: &str = "docs/conventions.md";
 
@@ -11,8 +11,54 @@ const CORNER: [&str; 4] = [
     "The sample (x, y) has its center at (x + 0.5, y + 0.5): ask there.",
     PAGE,
 ];
-const CENTER_LOST: [&str; 4] =
-    ["samples half beside the center", "Only one of x and y gets its half.", "The center is (x + 0.5, y + 0.5).", PAGE];
+const CENTER_LOST: [&str; 4] = [
+    "samples half beside the center",
+    "x or y is asked for half a sample beside the center.",
+    "The center is (x + 0.5, y + 0.5).",
+    PAGE,
+];
+const OFF_CENTER: [&str; 4] = [
+    "samples a little beside the center",
+    "Samples are asked for less than half a sample beside their centers.",
+    "The sample (x, y) has its center at (x + 0.5, y + 0.5): ask there.",
+    PAGE,
+];
+const STEPS: [&str; 4] = [
+    "corners in coarse steps",
+    "Corners are rounded or cut to halves, quarters, eighths or sixteenths of a sample: too few bits behind the point.",
+    "Corners lie on multiples of 1/256: keep eight bits behind the point.",
+    PAGE,
+];
+const LEVEL_LOST: [&str; 4] = [
+    "level edges own nothing",
+    "A center on a level edge goes to neither of the polygons above and below: only left or right edges own theirs.",
+    "Upper edges own their centers, too: dy == 0 and the inside below.",
+    PAGE,
+];
+const LEVEL_SHARED: [&str; 4] = [
+    "every level edge owns",
+    "A center on a level edge goes to both polygons: every level edge counts as an upper one.",
+    "Of level edges only upper ones own their centers: dy == 0 and the inside below, so ask for the sign of dx.",
+    PAGE,
+];
+const SIDES_LOST: [&str; 4] = [
+    "left and right edges own nothing",
+    "A center on an edge that is not level goes to neither polygon: only upper or lower edges own theirs.",
+    "Left edges own their centers, too.",
+    PAGE,
+];
+const SIDES_SHARED: [&str; 4] = [
+    "left and right edges both own",
+    "A center on an edge that is not level goes to both polygons.",
+    "Of edges that are not level only the left ones own their centers: ask for the sign of dy.",
+    PAGE,
+];
+const NARROW: [&str; 4] = [
+    "edge functions overflow",
+    "Differences of corners are kept in 16 bits, which is too little for a long edge.",
+    "With steps of 1/256 a difference needs more than 16 bits and a product more than 32: use 64-bit numbers.",
+    PAGE,
+];
 const ROUNDED: [&str; 4] = [
     "corners made whole",
     "Corners are turned into whole numbers before anything is asked (`int`, `as i32`, round).",
@@ -48,18 +94,6 @@ const CONVEX: [&str; 4] = [
     "The inside test is right for convex polygons, and this one has a notch.",
     "Count the edges left of the center, odd is inside; or ask for triangles: fn accepts() of the trait.",
     "docs/splitting.md",
-];
-const SPAN_ENDS: [&str; 4] = [
-    "span ends rounded",
-    "The ends of a scan line's span are rounded to columns the wrong way.",
-    "A span covers the columns from ceil(left - 0.5) up to, but not with, ceil(right - 0.5).",
-    "docs/scanline.md",
-];
-const SPAN_ROWS: [&str; 4] = [
-    "scan lines at whole y",
-    "Edges are crossed with the upper side of a row, y, not with the line through its centers, y + 0.5.",
-    "Row y is crossed at y + 0.5; it is drawn when that lies at or below the top and above the bottom.",
-    "docs/scanline.md",
 ];
 const SHORT: [&str; 4] = [
     "bounds too short",
@@ -122,16 +156,6 @@ pub(super) const MUTANTS: &[Mutant] = &[
     mutant(WINDING, |rules| rules.winding = Winding::CounterClockwise),
     mutant(CONVEX, |rules| rules.fill = Fill::Hull),
     mutant(CONVEX, |rules| rules.fill = Fill::AllEdges),
-    mutant(CONVEX, |rules| rules.fill = Fill::Fan),
-    mutant(
-        [
-            "first triangle only",
-            "Of a polygon with four corners or more only the first three are drawn.",
-            "A polygon has as many corners as it says; or ask for triangles: fn accepts() of the trait.",
-            "docs/splitting.md",
-        ],
-        |rules| rules.fill = Fill::FirstTriangle,
-    ),
     mutant(
         [
             "corners only",
@@ -159,29 +183,92 @@ pub(super) const MUTANTS: &[Mutant] = &[
         ],
         |rules| rules.fill = Fill::BothEnds,
     ),
-    mutant(SPAN_ENDS, |rules| rules.fill = span(0.5, 0.0, 0.0)),
-    mutant(SPAN_ENDS, |rules| rules.fill = span(0.5, 0.0, 1.0)),
-    mutant(SPAN_ENDS, |rules| rules.fill = span(0.5, 0.5, 1.5)),
-    mutant(SPAN_ENDS, |rules| rules.fill = span(0.5, UP, UP)),
-    mutant(SPAN_ENDS, |rules| rules.fill = span(0.5, UP, 1.0)),
-    mutant(SPAN_ENDS, |rules| rules.fill = span(0.5, 0.0, UP)),
-    mutant(SPAN_ROWS, |rules| rules.fill = span(0.0, UP - 0.5, UP - 0.5)),
-    mutant(SPAN_ROWS, |rules| rules.fill = span(0.0, 0.0, 0.0)),
-    mutant(SPAN_ROWS, |rules| rules.fill = span(0.0, 0.0, 1.0)),
-    mutant(SPAN_ROWS, |rules| rules.fill = span(0.0, 0.5, 1.5)),
-    mutant(SHORT, |rules| rules.bounds = Bounds::ColumnShort),
-    mutant(SHORT, |rules| rules.bounds = Bounds::RowShort),
-    mutant(SHORT, |rules| rules.bounds = Bounds::BothShort),
-    mutant(SHORT_FIRST, |rules| rules.bounds = Bounds::FirstColumnLost),
-    mutant(SHORT_FIRST, |rules| rules.bounds = Bounds::FirstRowLost),
+    mutant(SHORT, |rules| rules.bounds = bounds([0, 1, 0, 0], BoundsBy::Floor)),
+    mutant(SHORT, |rules| rules.bounds = bounds([0, 0, 0, 1], BoundsBy::Floor)),
+    mutant(SHORT, |rules| rules.bounds = bounds([0, 1, 0, 1], BoundsBy::Floor)),
+    mutant(SHORT, |rules| rules.bounds = bounds([0, 1, 0, 0], BoundsBy::Clipped)),
+    mutant(SHORT, |rules| rules.bounds = bounds([0, 0, 0, 1], BoundsBy::Clipped)),
+    mutant(SHORT, |rules| rules.bounds = bounds([0, 1, 0, 1], BoundsBy::Clipped)),
+    mutant(SHORT, |rules| rules.bounds = bounds([0, 1, 0, 0], BoundsBy::Centers)),
+    mutant(SHORT, |rules| rules.bounds = bounds([0, 0, 0, 1], BoundsBy::Centers)),
+    mutant(SHORT, |rules| rules.bounds = bounds([0, 1, 0, 1], BoundsBy::Centers)),
+    mutant(SHORT, |rules| rules.bounds = bounds([0, 1, 0, 1], BoundsBy::Rounded)),
+    mutant(SHORT, |rules| rules.bounds = bounds([0; 4], BoundsBy::Inner)),
+    mutant(SHORT_FIRST, |rules| rules.bounds = bounds([1, 0, 0, 0], BoundsBy::Floor)),
+    mutant(SHORT_FIRST, |rules| rules.bounds = bounds([0, 0, 1, 0], BoundsBy::Floor)),
+    mutant(SHORT_FIRST, |rules| rules.bounds = bounds([1, 0, 1, 0], BoundsBy::Floor)),
+    mutant(SHORT_FIRST, |rules| rules.bounds = bounds([1, 0, 0, 0], BoundsBy::Centers)),
+    mutant(SHORT_FIRST, |rules| rules.bounds = bounds([0, 0, 1, 0], BoundsBy::Centers)),
+    mutant(SHORT_FIRST, |rules| rules.bounds = bounds([1, 0, 1, 0], BoundsBy::Centers)),
+    mutant(OFF_CENTER, |rules| rules.cover_at = (0.25, 0.25)),
+    mutant(OFF_CENTER, |rules| (rules.cover_at, rules.value_at) = ((0.25, 0.25), (0.25, 0.25))),
+    mutant(OFF_CENTER, |rules| rules.cover_at = (0.75, 0.75)),
+    mutant(OFF_CENTER, |rules| rules.cover_at = (0.25, 0.5)),
+    mutant(OFF_CENTER, |rules| rules.cover_at = (0.5, 0.25)),
+    mutant(OFF_CENTER, |rules| rules.cover_at = (0.75, 0.5)),
+    mutant(OFF_CENTER, |rules| rules.cover_at = (0.5, 0.75)),
+    mutant(OFF_CENTER, |rules| rules.cover_at = (0.499, 0.499)),
+    mutant(OFF_CENTER, |rules| rules.cover_at = (0.501, 0.501)),
+    mutant(CENTER_LOST, |rules| rules.cover_at = (1.0, 0.5)),
+    mutant(CENTER_LOST, |rules| rules.cover_at = (0.5, 1.0)),
+    mutant(CENTER_LOST, |rules| rules.cover_at = (1.0, 0.0)),
+    mutant(CENTER_LOST, |rules| rules.cover_at = (0.0, 1.0)),
+    mutant(STEPS, |rules| rules.corners = Rounding::NearestTo(2)),
+    mutant(STEPS, |rules| rules.corners = Rounding::NearestTo(4)),
+    mutant(STEPS, |rules| rules.corners = Rounding::NearestTo(8)),
+    mutant(STEPS, |rules| rules.corners = Rounding::NearestTo(10)),
+    mutant(STEPS, |rules| rules.corners = Rounding::NearestTo(16)),
+    mutant(STEPS, |rules| rules.corners = Rounding::DownTo(2)),
+    mutant(STEPS, |rules| rules.corners = Rounding::DownTo(4)),
+    mutant(STEPS, |rules| rules.corners = Rounding::DownTo(8)),
+    mutant(STEPS, |rules| rules.corners = Rounding::DownTo(10)),
+    mutant(STEPS, |rules| rules.corners = Rounding::DownTo(16)),
+    mutant(LEVEL_LOST, |rules| rules.ties = sides(true, false, false, false)),
+    mutant(LEVEL_LOST, |rules| rules.ties = sides(false, true, false, false)),
+    mutant(LEVEL_SHARED, |rules| rules.ties = sides(true, false, true, true)),
+    mutant(LEVEL_SHARED, |rules| rules.ties = sides(false, true, true, true)),
+    mutant(LEVEL_SHARED, |rules| rules.ties = sides(false, false, true, true)),
+    mutant(SIDES_LOST, |rules| rules.ties = sides(false, false, true, false)),
+    mutant(SIDES_LOST, |rules| rules.ties = sides(false, false, false, true)),
+    mutant(SIDES_SHARED, |rules| rules.ties = sides(true, true, true, false)),
+    mutant(SIDES_SHARED, |rules| rules.ties = sides(true, true, false, true)),
+    mutant(SIDES_SHARED, |rules| rules.ties = sides(true, true, false, false)),
+    mutant(LEVEL_LOST, |rules| (rules.ties, rules.pieces) = (sides(true, false, false, false), FAN)),
+    mutant(LEVEL_LOST, |rules| (rules.ties, rules.pieces) = (sides(false, true, false, false), FAN)),
+    mutant(LEVEL_SHARED, |rules| (rules.ties, rules.pieces) = (sides(true, false, true, true), FAN)),
+    mutant(SIDES_LOST, |rules| (rules.ties, rules.pieces) = (sides(false, false, true, false), FAN)),
+    mutant(SIDES_LOST, |rules| (rules.ties, rules.pieces) = (sides(false, false, false, true), FAN)),
+    mutant(SIDES_SHARED, |rules| (rules.ties, rules.pieces) = (sides(true, true, true, false), FAN)),
+    mutant(NO_TIES, |rules| (rules.ties, rules.pieces) = (Ties::Nobody, FAN)),
+    mutant(ALL_TIES, |rules| (rules.ties, rules.pieces) = (Ties::All, FAN)),
+    mutant(WINDING, |rules| (rules.winding, rules.pieces) = (Winding::Clockwise, FAN)),
+    mutant(WINDING, |rules| (rules.winding, rules.pieces) = (Winding::CounterClockwise, FAN)),
+    mutant(NARROW, |rules| rules.fill = Fill::Narrow(256)),
+    mutant(NARROW, |rules| rules.fill = Fill::Narrow(512)),
+    mutant(NARROW, |rules| (rules.fill, rules.pieces) = (Fill::Narrow(256), FAN)),
+    mutant(NARROW, |rules| (rules.fill, rules.pieces) = (Fill::Narrow(512), FAN)),
+    mutant(NARROW, |rules| (rules.fill, rules.pieces) = (Fill::Narrow(1024), FAN)),
+    mutant(
+        [
+            "outside filled",
+            "The inside test is turned over: what is outside is drawn.",
+            "A sample is drawn when its center is inside the outline.",
+            PAGE,
+        ],
+        |rules| rules.fill = Fill::Outside,
+    ),
     mutant(SMALL, |rules| rules.least_area = 1.0),
     mutant(SMALL, |rules| rules.least_area = 0.5),
     mutant(SMALL, |rules| rules.least_area = 2.0),
 ];
 
-/// Just below 1: floor(x + UP) is the ceiling of every multiple of 1/256.
-const UP: f64 = 1.0 - 1e-6;
+/// Triangles from the first corner, where a second one takes back: right, whatever the outline.
+const FAN: Pieces = Pieces::Fan { from: 0, skipped: 0, lost: 0, toggles: true };
 
-const fn span(row: f64, first: f64, end: f64) -> Fill {
-    Fill::Spans(SpanRule { row, first, end })
+const fn bounds(lost: [i32; 4], by: BoundsBy) -> Bounds {
+    Bounds { lost, by }
+}
+
+const fn sides(left: bool, right: bool, top: bool, bottom: bool) -> Ties {
+    Ties::Sides { left, right, top, bottom }
 }

@@ -10,6 +10,8 @@ mod color;
 mod coverage;
 mod depth;
 mod drawing;
+mod pieces;
+mod spans;
 
 use super::rules::Rules;
 
@@ -31,7 +33,7 @@ pub struct Mutant {
 /// All of them.
 #[must_use]
 pub fn all() -> Vec<Mutant> {
-    [coverage::MUTANTS, depth::MUTANTS, color::MUTANTS, drawing::MUTANTS].concat()
+    [coverage::MUTANTS, depth::MUTANTS, color::MUTANTS, drawing::MUTANTS, pieces::MUTANTS, spans::MUTANTS].concat()
 }
 
 impl Mutant {
