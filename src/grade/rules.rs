@@ -4,6 +4,9 @@
 //! rasterizer with that mistake would. Two mistakes are two changed fields, so mistakes found earlier can be built into what
 //! later pictures are held against: one slip does not fail everything after it.
 
+use super::light_rules::LightRules;
+use super::runs::RunRule;
+
 /// Everything a picture is decided by.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rules {
@@ -37,8 +40,14 @@ pub struct Rules {
     pub later_wins_ties: bool,
     /// How values get from corners to samples.
     pub values: Interpolation,
+    /// Values that are the same at all corners stay what they are.
+    pub spares_constants: bool,
+    /// Values, and depth, are kept between the least and the greatest of the corners.
+    pub clamps: bool,
     /// Which corner's value goes to which corner.
     pub carried: Carried,
+    /// What of 1/w is carried with it.
+    pub over_w: OverW,
     /// Which channel is written first, second, third.
     pub channels: [usize; 3],
     /// The same of the polygons alone: the background stays as it is.
@@ -49,10 +58,14 @@ pub struct Rules {
     pub blending: Blending,
     /// Which color is behind everything; `None` for the case's own.
     pub background: Option<f64>,
+    /// Where the samples of a pixel are.
+    pub sample_at: SampleAt,
+    /// At which sample of a pixel depth is taken.
+    pub depth_at: SampleAt,
     /// How samples become a pixel.
     pub pixel: PixelFrom,
     /// How a lit sample gets its light.
-    pub light: Light,
+    pub light: LightRules,
     /// Which samples a line shows.
     pub lines: Lines,
 }
@@ -222,6 +235,10 @@ pub enum Place {
     OneLeft,
     /// One row up.
     OneUp,
+    /// Each shows what the next in memory should: to the left, the first of a row at the end of the row above.
+    NextInMemory,
+    /// The one before: to the right, the last of a row at the start of the row below.
+    LastInMemory,
 }
 
 /// Which polygon of several keeps a sample.
@@ -238,7 +255,7 @@ pub enum Front {
 }
 
 /// Where the compared depth comes from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum DepthFrom {
     /// The plane of 1/w, at the sample.
     Plane,
@@ -252,10 +269,12 @@ pub enum DepthFrom {
     LinearW,
     /// 1/w cut to a whole number.
     Whole,
+    /// Along edges, then along rows.
+    Runs(RunRule),
 }
 
 /// How values get from corners to samples.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Interpolation {
     /// Linear in space.
     Perspective,
@@ -265,14 +284,57 @@ pub enum Interpolation {
     NotMultipliedBack,
     /// Value / w, divided by 1/w twice.
     MultipliedTwice,
-    /// The first corner's value.
-    FirstCorner,
-    /// The last corner's value.
-    LastCorner,
+    /// Value / w, times 1/w.
+    TimesDepth,
+    /// The value, divided by 1/w.
+    AffineDivided,
+    /// The value, times 1/w.
+    AffineTimes,
+    /// Value / w, divided by another 1/w.
+    DividedBy(Divisor),
+    /// Value times w, divided by w.
+    ByW,
+    /// The limits of the value are put on value / w.
+    LimitsOnOverW,
+    /// That corner does not count.
+    Without(usize),
+    /// Times this.
+    Times(f64),
+    /// The plane of value / w without its x.
+    WithoutX,
+    /// Without its y.
+    WithoutY,
+    /// Weights are the inverses of distances.
+    Distances,
+    /// That corner's value.
+    Corner(usize),
+    /// The value of the corner nearest to the eye.
+    NearestToEye,
     /// The mean of three corners.
     Mean,
+    /// The value at the middle of three corners.
+    Middle,
     /// The value of the corner with the greatest weight.
-    NearestCorner,
+    Heaviest,
+    /// The value of the closest corner on the screen.
+    Closest,
+    /// Along edges, then along rows.
+    Runs(RunRule),
+}
+
+/// What value / w is divided by instead of the sample's 1/w.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Divisor {
+    /// That of a corner.
+    Corner(usize),
+    /// That of the nearest corner.
+    Nearest,
+    /// That of the farthest.
+    Farthest,
+    /// The mean of the corners'.
+    Mean,
+    /// One over w drawn out straight.
+    LinearW,
 }
 
 /// Which corner's values go to which corner.
@@ -290,8 +352,35 @@ pub enum Carried {
     FirstTwoSwapped,
     /// The first and third exchanged.
     OuterSwapped,
+    /// The next one's, going round clockwise.
+    TurnedRight,
+    /// The next one's, going round counterclockwise.
+    TurnedLeft,
+    /// The first and second exchanged after all were turned clockwise.
+    FirstTwoByTurn,
+    /// The first and third exchanged after all were turned clockwise.
+    OuterByTurn,
+    /// Another order of triangles that run clockwise.
+    Clockwise([usize; 3]),
+    /// Of those that run counterclockwise.
+    CounterClockwise([usize; 3]),
     /// Corners sorted by y, values not.
     SortedByY,
+    /// From the lowest up.
+    SortedByYDown,
+    /// Sorted by x.
+    SortedByX,
+}
+
+/// What of 1/w is carried with a value to another corner.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OverW {
+    /// Nothing.
+    Stays,
+    /// Value / w is carried.
+    WithValue,
+    /// So is the 1/w that it is divided by.
+    WithDivisor,
 }
 
 /// From light to a level.
@@ -328,46 +417,152 @@ pub enum Blending {
     ListOrder,
 }
 
+/// Where samples of a pixel are asked for; parts are of the pixel's side.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SampleAt {
+    /// Each at its own center.
+    Own,
+    /// All at one place of the pixel: 0.5 is its center, 0 its corner.
+    Block(f64),
+    /// x alone is.
+    BlockX(f64),
+    /// y alone is.
+    BlockY(f64),
+    /// Spread over this part of the pixel, around its center.
+    Spread(f64),
+    /// In x alone.
+    SpreadX(f64),
+    /// In y alone.
+    SpreadY(f64),
+    /// Spread over this part of the pixel, from its corner.
+    FromCorner(f64),
+    /// All rows of samples on the diagonal.
+    Diagonal,
+}
+
 /// How samples become a pixel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PixelFrom {
     /// Their mean.
     Mean,
-    /// The first.
-    FirstSample,
-    /// The one in the middle.
-    MiddleSample,
+    /// Their sum, divided by another number.
+    Divided(Count),
+    /// Their mean, times this.
+    Times(f64),
+    /// One of them: column and row, 0 first, 1 and 2 around the middle, 3 last.
+    One(u8, u8),
+    /// Some of them, divided by a number.
+    Part(Part, Count),
+    /// The mean of those that a face covers.
+    Covered,
+    /// The sum of those, divided by all.
+    CoveredOfAll,
+    /// The face where more than this part (or as much) is covered, else what is behind.
+    Threshold((f64, bool)),
+    /// The first that a face covers.
+    FirstCovered,
+    /// The last that a face covers.
+    LastCovered,
     /// The brightest.
     Most,
-    /// The mean of samples cut to levels.
-    MeanOfLevels,
+    /// The darkest.
+    Least,
+    /// The mean of both.
+    Extremes,
+    /// The middle one by brightness, the upper or lower of two.
+    Median(bool),
+    /// The root of the mean of powers.
+    MeanOfPowers(f64),
+    /// A power of the mean.
+    Root(f64),
+    /// Weighted to the middle.
+    Tent,
+    /// The mean of levels, made by cutting after this was added.
+    MeanOfLevels(f64),
+    /// The same, cut to a level again.
+    LevelsCut(f64),
+    /// The sum of levels that were divided before.
+    DividedFirst(f64),
+    /// The same, divided again.
+    DividedTwice(f64),
+    /// The sum of levels in a byte, divided.
+    SumInByte(f64),
+    /// The same, in whole numbers.
+    SumInByteCut(f64),
+    /// The sum of levels in a byte.
+    SumWraps,
+    /// The sum of levels in a byte with a sign, divided.
+    SignedByte,
+    /// Face by face, each mixed with what is there by its share of the pixel: of equal depths the later counts, or does not.
+    MixedByFace(bool),
 }
 
-/// How a lit sample gets its light.
+/// Some of a pixel's samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Light {
-    /// At the sample.
-    Right,
-    /// At the corners, interpolated.
-    AtCorners,
-    /// At the first corner.
-    AtFirstCorner,
-    /// With the normal as interpolated.
-    NormalNotUnit,
-    /// With the vector to the lamp as long as it is.
-    LampNotUnit,
-    /// From behind as well.
-    BothSides,
-    /// Without ambient light.
-    NoAmbient,
-    /// Without a highlight.
-    NoHighlight,
-    /// Highlight by the halfway vector.
-    HalfwayHighlight,
-    /// Highlight even where N.L < 0.
-    HighlightEverywhere,
-    /// Highlight without exponent.
-    ExponentOne,
+pub enum Part {
+    /// A row: 0 first, 1 and 2 around the middle, 3 last.
+    Row(u8),
+    /// A column.
+    Column(u8),
+    /// From the upper left to the lower right.
+    Diagonal,
+    /// The other diagonal.
+    OtherDiagonal,
+    /// The four corners.
+    Corners,
+    /// The first and the last.
+    Ends,
+    /// A square of this side in the upper left.
+    Square(usize),
+    /// All but the first.
+    WithoutFirst,
+    /// All but the last.
+    WithoutLast,
+    /// All but the first row.
+    WithoutFirstRow,
+    /// All but the last row.
+    WithoutLastRow,
+    /// All but the first column.
+    WithoutFirstColumn,
+    /// All but the last column.
+    WithoutLastColumn,
+    /// All but the last column and row.
+    WithoutLastBoth,
+    /// All but the first column and row.
+    WithoutFirstBoth,
+    /// Every other one.
+    Checkered,
+    /// The first half of them.
+    FirstHalf,
+    /// The middle row and column.
+    Cross,
+}
+
+/// What a sum of samples is divided by; A is the side of the pixel in samples.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Count {
+    /// A * A.
+    All,
+    /// As many as were added.
+    Kept,
+    /// 1.
+    One,
+    /// A.
+    Side,
+    /// A and this.
+    SideMore(f64),
+    /// 2 A.
+    TwoSides,
+    /// A * A and this.
+    AllMore(f64),
+    /// (A + 1) * (A + 1).
+    NextSquare,
+    /// This.
+    Fixed(f64),
+    /// A * A * A.
+    Cube,
+    /// A * A * A * A.
+    Fourth,
 }
 
 /// Which samples a line shows.
@@ -406,14 +601,19 @@ impl Default for Rules {
             clear: 0.0,
             later_wins_ties: false,
             values: Interpolation::Perspective,
+            spares_constants: false,
+            clamps: false,
             carried: Carried::Right,
+            over_w: OverW::Stays,
             channels: [0, 1, 2],
             face_channels: [0, 1, 2],
             levels: Levels::Round,
             blending: Blending::Over,
             background: None,
+            sample_at: SampleAt::Own,
+            depth_at: SampleAt::Own,
             pixel: PixelFrom::Mean,
-            light: Light::Right,
+            light: LightRules::default(),
             lines: Lines::DiamondExit,
         }
     }

@@ -10,6 +10,11 @@ mod color;
 mod coverage;
 mod depth;
 mod drawing;
+mod highlight;
+mod light;
+mod pixel;
+mod run;
+mod value;
 
 use super::rules::Rules;
 
@@ -31,7 +36,9 @@ pub struct Mutant {
 /// All of them.
 #[must_use]
 pub fn all() -> Vec<Mutant> {
-    [coverage::MUTANTS, depth::MUTANTS, color::MUTANTS, drawing::MUTANTS].concat()
+    let (light, value) = ([light::MUTANTS, highlight::MUTANTS].concat(), [value::MUTANTS, run::MUTANTS].concat());
+    let first = [coverage::MUTANTS, depth::MUTANTS, color::MUTANTS, drawing::MUTANTS].concat();
+    [first, value, light, pixel::MUTANTS.to_vec()].concat()
 }
 
 impl Mutant {
