@@ -346,8 +346,6 @@ pub enum Lamps {
     White,
     /// All, their highlights white.
     WhiteHighlights,
-    /// All, each cut at 1 with the ambient light before the next is added.
-    CutEach,
     /// All, their places at the first's.
     OnePlace,
 }

@@ -25,9 +25,12 @@ pub(super) fn light(
     let rule = &rules.light;
     // What takes one corner's value for a color takes one normal here, and that has its own names.
     let spread = match rules.values {
-        Interpolation::Corner(_) | Interpolation::Mean | Interpolation::Heaviest | Interpolation::Closest => {
-            Rules { values: Interpolation::Perspective, ..rules.clone() }
-        }
+        Interpolation::Corner(_)
+        | Interpolation::Mean
+        | Interpolation::Middle
+        | Interpolation::NearestToEye
+        | Interpolation::Heaviest
+        | Interpolation::Closest => Rules { values: Interpolation::Perspective, ..rules.clone() },
         _ => rules.clone(),
     };
     let scene = Lit { case, face, corners, rules: &spread };
@@ -255,9 +258,9 @@ fn sent(lamp: &Lamp, rule: &LightRules, normal: Vec3, eye: Vec3) -> Light {
     let n = divided(normal * Vec3::from(rule.signs), rule.length);
     let n = if rule.steps > 0.0 { n.map(|number| (number * rule.steps).round() / rule.steps) } else { n };
     let own = [lamp.ambient, lamp.diffuse, [lamp.specular; 3]];
-    let [ambient, diffuse, specular] = [0, 1, 2].map(|term| coefficient(lamp, own[term], rule.factors[term]));
-    let (mut matte, mut shiny, mut is_dark) = ([0.0; 3], [0.0; 3], true);
+    let coefficients = [0, 1, 2].map(|term| coefficient(lamp, own[term], rule.factors[term]));
     let count = lamp.lamps().count();
+    let (mut matte, mut shiny, mut is_dark) = ([0.0; 3], [0.0; 3], true);
     for (number, (position, color)) in lamp.lamps().enumerate() {
         let is_left_out = match rule.lamps {
             Lamps::First => number > 0,
@@ -271,37 +274,35 @@ fn sent(lamp: &Lamp, rule: &LightRules, normal: Vec3, eye: Vec3) -> Light {
         let term = term(lamp, rule, position, (n, eye));
         is_dark &= term.cosine <= 0.0;
         for channel in 0..3 {
-            let color = if rule.lamps == Lamps::White { 1.0 } else { color[channel] };
-            let more = color * diffuse[channel] * term.diffuse;
-            let tint = match rule.tint {
-                Tint::White => 1.0,
-                Tint::Surface => diffuse[channel],
-                Tint::Ambient => ambient[channel],
-                Tint::Cosine => term.cosine,
-                Tint::DiffuseTerm => diffuse[channel] * term.diffuse,
-            };
-            let color = if rule.lamps == Lamps::WhiteHighlights { 1.0 } else { color };
-            let shine = color * tint * specular[channel] * term.highlight;
-            let together = matte[channel] + shiny[channel];
-            match rule.lamps {
-                Lamps::Brightest if number > 0 && together >= more + shine => {}
-                Lamps::Brightest => (matte[channel], shiny[channel]) = (more, shine),
-                Lamps::Mean => {
-                    matte[channel] += more / count as f64;
-                    shiny[channel] += shine / count as f64;
-                }
-                Lamps::CutEach if number > 0 => matte[channel] += (more + shine).min(1.0),
-                Lamps::CutEach => matte[channel] = (ambient[channel] + more + shine).min(1.0) - ambient[channel],
-                _ => {
-                    matte[channel] += more;
-                    shiny[channel] += shine;
-                }
+            let share = if rule.lamps == Lamps::Mean { 1.0 / count as f64 } else { 1.0 };
+            let (more, shine) = reflected(rule, &coefficients, &term, (color[channel] * share, channel));
+            if rule.lamps != Lamps::Brightest {
+                matte[channel] += more;
+                shiny[channel] += shine;
+            } else if number == 0 || more + shine > matte[channel] + shiny[channel] {
+                (matte[channel], shiny[channel]) = (more, shine);
             }
         }
     }
-    let ambient = if rule.lamps == Lamps::AmbientEach { ambient.map(|light| light * count as f64) } else { ambient };
+    let ambients = if rule.lamps == Lamps::AmbientEach { count as f64 } else { 1.0 };
     let whole: f64 = own.iter().map(|term| term[0]).sum();
-    [0, 1, 2].map(|c| together(rule.sum, [ambient[c], matte[c], shiny[c]], (is_dark, whole)))
+    [0, 1, 2].map(|c| together(rule.sum, [coefficients[0][c] * ambients, matte[c], shiny[c]], (is_dark, whole)))
+}
+
+/// What one lamp adds to one channel: diffuse light and highlight.
+fn reflected(rule: &LightRules, coefficients: &[Light; 3], term: &Term, (color, channel): (f64, usize)) -> (f64, f64) {
+    let [ambient, diffuse, specular] = coefficients.map(|coefficient| coefficient[channel]);
+    let color = if rule.lamps == Lamps::White { 1.0 } else { color };
+    let matte = diffuse * term.diffuse;
+    let tint = match rule.tint {
+        Tint::White => 1.0,
+        Tint::Surface => diffuse,
+        Tint::Ambient => ambient,
+        Tint::Cosine => term.cosine,
+        Tint::DiffuseTerm => matte,
+    };
+    let shine = tint * specular * term.highlight;
+    (color * matte, if rule.lamps == Lamps::WhiteHighlights { shine } else { color * shine })
 }
 
 fn together(sum: Sum, [ambient, matte, shiny]: [f64; 3], (is_dark, whole): (bool, f64)) -> f64 {

@@ -25,7 +25,6 @@ pub(super) fn place((x, y): (i32, i32), side: i32, rule: SampleAt) -> (f64, f64)
             let near = |s: i32| block(s) + (f64::from(s.rem_euclid(side)) + 0.5) * factor;
             (near(x), near(y))
         }
-        SampleAt::Diagonal => (own(x), block(y) + f64::from(x.rem_euclid(side)) + 0.5),
     }
 }
 
@@ -54,7 +53,13 @@ pub(super) fn light(samples: &[Shown], side: usize, rule: PixelFrom) -> Color {
             if number == 0.0 { samples[0].0 } else { sum(covered.map(|sample| sample.0)).map(|light| light / number) }
         }
         PixelFrom::CoveredOfAll => {
-            sum(samples.iter().filter(|sample| sample.1.is_some()).map(|sample| sample.0)).map(|light| light / count)
+            let covered = samples.iter().filter(|sample| sample.1.is_some());
+            // A pixel that nobody covers shows what is behind.
+            if covered.clone().count() == 0 {
+                samples[0].0
+            } else {
+                sum(covered.map(|sample| sample.0)).map(|light| light / count)
+            }
         }
         PixelFrom::Threshold(part) => most_or_nothing(samples, part),
         PixelFrom::FirstCovered => samples.iter().find(|sample| sample.1.is_some()).unwrap_or(&samples[0]).0,

@@ -436,8 +436,6 @@ pub enum SampleAt {
     SpreadY(f64),
     /// Spread over this part of the pixel, from its corner.
     FromCorner(f64),
-    /// All rows of samples on the diagonal.
-    Diagonal,
 }
 
 /// How samples become a pixel.

@@ -34,12 +34,6 @@ const DARK: [&str; 4] = [
     "There is a highlight only where N.L > 0.",
     SHADING,
 ];
-const GATE: [&str; 4] = [
-    "highlight by the eye's side",
-    "Whether there is a highlight is asked of another cosine than N.L.",
-    "There is a highlight only where N.L > 0.",
-    SHADING,
-];
 const SIGN: [&str; 4] = [
     "highlight on the wrong side",
     "R.V has the wrong sign: V leads away from the eye, or R is L - 2 (N.L) N.",
@@ -122,8 +116,8 @@ pub(super) const MUTANTS: &[Mutant] = &[
     mutant(DARK, |rules| rules.light.gate = Gate::Everywhere),
     mutant(DARK, |rules| (rules.light.gate, rules.light.cut) = (Gate::Everywhere, Cut::Absolute)),
     mutant(DARK, |rules| (rules.light.gate, rules.light.cut) = (Gate::Everywhere, Cut::Not)),
-    mutant(GATE, |rules| rules.light.gate = Gate::Eye),
-    mutant(GATE, |rules| rules.light.gate = Gate::Reversed),
+    mutant(DARK, |rules| rules.light.gate = Gate::Eye),
+    mutant(DARK, |rules| rules.light.gate = Gate::Reversed),
     mutant(SIGN, |rules| rules.light.highlight = Highlight::Reversed),
     mutant(SIGN, |rules| (rules.light.highlight, rules.light.gate) = (Highlight::Reversed, Gate::Everywhere)),
     mutant(SIGN, |rules| (rules.light.highlight, rules.light.cut) = (Highlight::Reversed, Cut::Not)),

@@ -1,9 +1,7 @@
 //! Mistakes about light, but for the highlight: normals, lamps, coefficients, sums.
 
 use super::{Mutant, mutant};
-use crate::grade::light_rules::{
-    Cosine, EyeFrom, Factor, Fading, Gate, Lamps, Length, LitAt, NormalFrom, Reach, Sum, ToLamp,
-};
+use crate::grade::light_rules::{Cosine, EyeFrom, Factor, Fading, Gate, Lamps, Length, LitAt, Reach, Sum, ToLamp};
 
 const SHADING: &str = "docs/shading.md";
 const AT_CORNERS: [&str; 4] = [
@@ -16,50 +14,6 @@ const ONCE: [&str; 4] = [
     "lit once a polygon",
     "The light of one point stands for the polygon.",
     "Compute the light at every sample.",
-    SHADING,
-];
-const NORMAL_ONE: [&str; 4] = [
-    "one normal a polygon",
-    "Normals are not interpolated: one of them, or their mean, stands for the polygon.",
-    "Interpolate the corners' normals at every sample, make the result a unit vector, and use it as it points.",
-    SHADING,
-];
-const NORMAL_NEAREST: [&str; 4] = [
-    "nearest corner's normal",
-    "Every sample has the normal of the corner with the greatest weight.",
-    "Interpolate the corners' normals at every sample, make the result a unit vector, and use it as it points.",
-    SHADING,
-];
-const NORMAL_FIXED: [&str; 4] = [
-    "normals ignored",
-    "The normal is that of the polygon's plane or a fixed one, not that of its corners.",
-    "Interpolate the corners' normals at every sample, make the result a unit vector, and use it as it points.",
-    SHADING,
-];
-const NORMAL_LENGTH: [&str; 4] = [
-    "normals not made unit again",
-    "Interpolated normals are shorter than 1 between the corners, and are used as they are.",
-    "Make the interpolated normal a unit vector before the light is computed.",
-    SHADING,
-];
-const NORMAL_OTHER: [&str; 4] = [
-    "normals divided by another length",
-    "Normals are divided by something else than their length: the sum of their numbers, the greatest, the square.",
-    "A unit vector is the vector divided by sqrt(x x + y y + z z).",
-    SHADING,
-];
-const NORMAL_ROUNDED: [&str; 4] =
-    ["normals rounded", "Normals are rounded to a few steps.", "Keep normals as numbers with a fraction.", SHADING];
-const NORMAL_REVERSED: [&str; 4] = [
-    "normals reversed",
-    "Normals point to the other side of the surface.",
-    "Normals point as the file says: the lit side has N.L > 0.",
-    SHADING,
-];
-const NORMAL_AXIS: [&str; 4] = [
-    "an axis of the normal reversed",
-    "One or two axes of the normal have the wrong sign.",
-    "Normals are in eye space: x right, y up, z away from the eye.",
     SHADING,
 ];
 const LAMP_LENGTH: [&str; 4] = [
@@ -190,12 +144,6 @@ const SQUARED: [&str; 4] = [
 ];
 const WRAPS: [&str; 4] =
     ["light above 1 wraps", "Levels above 255 begin anew at 0.", "Cut light at 1 before it becomes a level.", SHADING];
-const CUT_EACH: [&str; 4] = [
-    "light cut before adding",
-    "Light is cut at 1 before the last lamp is added.",
-    "Add all light first; cut it once, when it becomes a level.",
-    SHADING,
-];
 const DARK_BLACK: [&str; 4] = [
     "dark side without ambient light",
     "Where no lamp shines nothing is drawn, not even ambient light.",
@@ -224,35 +172,6 @@ pub(super) const MUTANTS: &[Mutant] = &[
     mutant(ONCE, |rules| rules.light.at = LitAt::Nearest),
     mutant(ONCE, |rules| rules.light.at = LitAt::Mean),
     mutant(ONCE, |rules| rules.light.at = LitAt::Middle),
-    mutant(NORMAL_ONE, |rules| rules.light.normal = NormalFrom::Corner(0)),
-    mutant(NORMAL_ONE, |rules| rules.light.normal = NormalFrom::Corner(1)),
-    mutant(NORMAL_ONE, |rules| rules.light.normal = NormalFrom::Corner(2)),
-    mutant(NORMAL_ONE, |rules| rules.light.normal = NormalFrom::Nearest),
-    mutant(NORMAL_ONE, |rules| rules.light.normal = NormalFrom::Mean),
-    mutant(NORMAL_NEAREST, |rules| rules.light.normal = NormalFrom::Heaviest),
-    mutant(NORMAL_FIXED, |rules| rules.light.normal = NormalFrom::Plane),
-    mutant(NORMAL_FIXED, |rules| rules.light.normal = NormalFrom::Fixed),
-    mutant(NORMAL_LENGTH, |rules| rules.light.length = Length::AsIs),
-    mutant(NORMAL_OTHER, |rules| rules.light.length = Length::Sum),
-    mutant(NORMAL_OTHER, |rules| rules.light.length = Length::Greatest),
-    mutant(NORMAL_OTHER, |rules| rules.light.length = Length::Squared),
-    mutant(NORMAL_OTHER, |rules| rules.light.length = Length::Root),
-    mutant(NORMAL_ROUNDED, |rules| rules.light.steps = 2.0),
-    mutant(NORMAL_ROUNDED, |rules| rules.light.steps = 4.0),
-    mutant(NORMAL_ROUNDED, |rules| rules.light.steps = 8.0),
-    mutant(NORMAL_ROUNDED, |rules| rules.light.steps = 10.0),
-    mutant(NORMAL_ROUNDED, |rules| rules.light.steps = 16.0),
-    mutant(NORMAL_ROUNDED, |rules| rules.light.steps = 32.0),
-    mutant(NORMAL_ROUNDED, |rules| rules.light.steps = 64.0),
-    mutant(NORMAL_ROUNDED, |rules| rules.light.steps = 100.0),
-    mutant(NORMAL_ROUNDED, |rules| rules.light.steps = 127.0),
-    mutant(NORMAL_REVERSED, |rules| rules.light.signs = [-1.0; 3]),
-    mutant(NORMAL_AXIS, |rules| rules.light.signs = [-1.0, 1.0, 1.0]),
-    mutant(NORMAL_AXIS, |rules| rules.light.signs = [1.0, -1.0, 1.0]),
-    mutant(NORMAL_AXIS, |rules| rules.light.signs = [1.0, 1.0, -1.0]),
-    mutant(NORMAL_AXIS, |rules| rules.light.signs = [-1.0, -1.0, 1.0]),
-    mutant(NORMAL_AXIS, |rules| rules.light.signs = [1.0, -1.0, -1.0]),
-    mutant(NORMAL_AXIS, |rules| rules.light.signs = [-1.0, 1.0, -1.0]),
     mutant(LAMP_LENGTH, |rules| rules.light.lamp_length = Length::AsIs),
     mutant(LAMP_LENGTH, |rules| rules.light.lamp_length = Length::Sum),
     mutant(LAMP_LENGTH, |rules| rules.light.lamp_length = Length::Greatest),
@@ -271,7 +190,6 @@ pub(super) const MUTANTS: &[Mutant] = &[
     mutant(BEHIND, |rules| (rules.light.cosine, rules.light.reach) = (Cosine::Absolute, Reach::All)),
     mutant(BEHIND, |rules| (rules.light.cosine, rules.light.gate) = (Cosine::Reversed, Gate::Everywhere)),
     mutant(BEHIND, |rules| (rules.light.cosine, rules.light.reach) = (Cosine::Reversed, Reach::Diffuse)),
-    mutant(BEHIND, |rules| (rules.light.cosine, rules.light.reach) = (Cosine::Reversed, Reach::Gate)),
     mutant(HALF, |rules| (rules.light.cosine, rules.light.reach) = (Cosine::Half, Reach::Diffuse)),
     mutant(HALF, |rules| (rules.light.cosine, rules.light.reach) = (Cosine::Half, Reach::Gate)),
     mutant(HALF, |rules| (rules.light.cosine, rules.light.reach) = (Cosine::Half, Reach::All)),
@@ -334,7 +252,6 @@ pub(super) const MUTANTS: &[Mutant] = &[
     mutant(SQUARED, |rules| rules.light.sum = Sum::Squared),
     mutant(SQUARED, |rules| rules.light.sum = Sum::Inverted),
     mutant(WRAPS, |rules| rules.light.sum = Sum::Wraps),
-    mutant(CUT_EACH, |rules| rules.light.lamps = Lamps::CutEach),
     mutant(DARK_BLACK, |rules| rules.light.sum = Sum::DarkIsBlack),
     mutant(EYE, |rules| rules.light.eye = EyeFrom::Corner(0)),
     mutant(EYE, |rules| rules.light.eye = EyeFrom::Corner(1)),

@@ -6,12 +6,14 @@
 //!
 //! Why mutants of the oracle and not of a rasterizer: one rule, one change, no side effect of how a loop happens to be written.
 
+mod carried;
 mod color;
 mod coverage;
 mod depth;
 mod drawing;
 mod highlight;
 mod light;
+mod normal;
 mod pixel;
 mod run;
 mod value;
@@ -36,9 +38,10 @@ pub struct Mutant {
 /// All of them.
 #[must_use]
 pub fn all() -> Vec<Mutant> {
-    let (light, value) = ([light::MUTANTS, highlight::MUTANTS].concat(), [value::MUTANTS, run::MUTANTS].concat());
     let first = [coverage::MUTANTS, depth::MUTANTS, color::MUTANTS, drawing::MUTANTS].concat();
-    [first, value, light, pixel::MUTANTS.to_vec()].concat()
+    let values = [value::MUTANTS, carried::MUTANTS, run::MUTANTS].concat();
+    let light = [light::MUTANTS, normal::MUTANTS, highlight::MUTANTS].concat();
+    [first, values, light, pixel::MUTANTS.to_vec()].concat()
 }
 
 impl Mutant {

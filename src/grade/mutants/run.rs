@@ -42,7 +42,7 @@ const ROW_SAMPLES: [&str; 4] = [
     SCANLINE,
 ];
 const ROW_CORNER: [&str; 4] = [
-    "span values beside the center",
+    "values beside the center",
     "Values along a span are taken at the left or right side of a sample, not at its center.",
     "Along a row the share is (x + 0.5 - left) / (right - left), with x + 0.5 the center and both ends where the edges are.",
     SCANLINE,
