@@ -134,7 +134,7 @@ fn is_in(part: Part, x: usize, y: usize, side: usize) -> bool {
         Part::WithoutLastColumn => x < last,
         Part::WithoutLastBoth => x < last && y < last,
         Part::WithoutFirstBoth => x > 0 && y > 0,
-        Part::Checkered => (x + y) % 2 == 0,
+        Part::Checkered => (x + y).is_multiple_of(2),
         Part::FirstHalf => y * side + x < side * side / 2,
         Part::Cross => x == side / 2 || y == side / 2,
     }

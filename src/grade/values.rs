@@ -114,13 +114,13 @@ fn closest(face: &Face, at: Point) -> usize {
 /// The face's values at a point.
 pub(super) fn interpolated(face: &Face, corners: &Corners, rules: &Rules, at: Point) -> [f64; 3] {
     let mut values = spread(face, corners, rules, at);
-    for number in 0..3 {
+    for (number, value) in values.iter_mut().enumerate() {
         let all = [0, 1, 2].map(|corner| corners.values[corner][number]);
         let (low, high) = limits(all);
         if rules.spares_constants && high - low < 1e-12 {
-            values[number] = low;
+            *value = low;
         } else if rules.clamps {
-            values[number] = values[number].clamp(low, high);
+            *value = value.clamp(low, high);
         }
     }
     values
