@@ -21,6 +21,7 @@ mod lighting;
 mod lines;
 pub mod mutants;
 pub mod paint;
+pub mod pixel_rules;
 mod pixels;
 mod place;
 mod probes;
