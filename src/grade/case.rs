@@ -28,19 +28,30 @@ pub struct Face {
     pub opacity: f64,
 }
 
-/// The light of a lit case: one lamp, one gray material.
+/// The light of a lit case: one lamp or two, one material.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lamp {
     /// Eye space.
     pub position: Vec3,
-    /// Light where no lamp reaches.
-    pub ambient: f64,
-    /// Kd.
-    pub diffuse: f64,
+    /// Of its light.
+    pub color: [f64; 3],
+    /// Another lamp: its place and its color.
+    pub second: Option<(Vec3, [f64; 3])>,
+    /// Ka Ia C: light where no lamp reaches.
+    pub ambient: [f64; 3],
+    /// Kd C.
+    pub diffuse: [f64; 3],
     /// Ks.
     pub specular: f64,
     /// Exponent of the highlight.
     pub shine: f64,
+}
+
+impl Lamp {
+    /// Place and color of each lamp.
+    pub fn lamps(&self) -> impl Iterator<Item = (Vec3, [f64; 3])> + use<> {
+        [Some((self.position, self.color)), self.second].into_iter().flatten()
+    }
 }
 
 /// A small picture to draw.
@@ -179,7 +190,8 @@ impl Case {
         }
         if let Some(lamp) = self.lamp {
             list.varying = Varying::NormalEye;
-            list.shader.lights.push(EyeLight::point(lamp.position, Rgb::gray(1.0)));
+            let lights = lamp.lamps().map(|(position, color)| EyeLight::point(position, Rgb::from(color)));
+            list.shader.lights.extend(lights);
         }
         for face in &self.faces {
             self.push(face, accepts, &mut list);
@@ -192,7 +204,7 @@ impl Case {
         let record = &mut list.shader.surfaces[surface as usize];
         record.opacity = Rgb::gray(face.opacity as f32);
         if let Some(lamp) = self.lamp {
-            let (ambient, diffuse) = (Rgb::gray(lamp.ambient), Rgb::gray(lamp.diffuse));
+            let (ambient, diffuse) = (Rgb::from(lamp.ambient), Rgb::from(lamp.diffuse));
             let (specular, shine) = (lamp.specular, lamp.shine);
             *record = SurfaceShading { ambient, diffuse, specular, shine, ..*record };
         }

@@ -4,7 +4,7 @@
 //! and a Watkins that draw the same picture get the same words.
 
 use super::case::Case;
-use super::cases::{color, coverage, depth, lines};
+use super::cases::{color, coverage, depth, light, lines, samples};
 
 /// Something to build.
 #[derive(Clone, Copy)]
@@ -78,8 +78,8 @@ const GOURAUD: Aspect = aspect("interpolation", "values spread from the corners"
 const CORNERS: Aspect =
     aspect("corner order", "every corner keeps its own value, in any order", 10, color::corner_order);
 const PERSPECTIVE: Aspect = aspect("perspective", "values spread in space, not on the screen", 15, color::perspective);
-const LIGHT: Aspect = aspect("light", "the light of every sample, from its own normal", 25, color::light);
-const SAMPLES: Aspect = aspect("samples", "a pixel is the mean of its samples", 25, color::samples);
+const LIGHT: Aspect = aspect("light", "the light of every sample, from its own normal", 25, light::light);
+const SAMPLES: Aspect = aspect("samples", "a pixel is the mean of its samples", 25, samples::samples);
 const LINES: Aspect = aspect("lines", "lines in all directions", 30, lines::directions);
 const OUTLINES: Aspect = aspect("outlines", "closed outlines, lines that meet", 20, lines::outlines);
 const SHORT_LINES: Aspect =

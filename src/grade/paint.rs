@@ -16,8 +16,11 @@ use super::covered::Outline;
 use super::lighting;
 use super::line_spans;
 use super::lines;
+use super::pixels;
 use super::place;
-use super::rules::{Blending, Carried, DepthFrom, Front, Interpolation, Levels, PixelFrom, Rules};
+use super::rules::{Blending, DepthFrom, Front, Interpolation, Levels, PixelFrom, Rules, SampleAt};
+use super::runs;
+use super::values::{self, Corners};
 use crate::math::pow;
 
 /// Half the width of the band around a boundary between two levels, in levels.
@@ -74,7 +77,11 @@ pub fn paint(case: &Case, rules: &Rules) -> Painted {
         for x in 0..width {
             let all = (0..side * side).map(|at| samples[(y * side + at / side) * size.0 + x * side + at % side]);
             let all: Vec<Sample> = all.collect();
-            let (low, high) = pixel(&all, rules);
+            let mixed = match rules.pixel {
+                PixelFrom::MixedByFace(later) if side > 1 => Some(mixed(case, rules, (x, y), later)),
+                _ => None,
+            };
+            let (low, high) = pixel(&all, rules, mixed);
             painted.low.push(low);
             painted.high.push(high);
             painted.disputed.push(all.iter().any(|sample| sample.disputed));
@@ -103,17 +110,24 @@ fn paint_lines(case: &Case, rules: &Rules) -> Vec<Sample> {
 fn paint_samples(case: &Case, rules: &Rules) -> Vec<Sample> {
     let outlines: Vec<Outline> =
         case.faces.iter().map(|face| Outline::new(&face.corners, rules, (case.width, case.height))).collect();
-    let corner_values: Vec<_> = case.faces.iter().map(|face| carried(face, rules.carried)).collect();
+    let corner_values: Vec<_> = case.faces.iter().map(|face| Corners::of(face, rules)).collect();
+    let right_places = rules.sample_at == SampleAt::Own || case.samples < 2;
     let mut samples = Vec::new();
     for y in 0..case.height as i32 {
         let outlines = &outlines;
         let covers = move |x: i32| (0..case.faces.len()).filter(move |&index| outlines[index].covers((x, y), rules));
         let line = line_spans::stacks(case, rules, y, &covers);
         for x in 0..case.width as i32 {
-            let stack = match &line {
-                None => Stack::of(case, rules, (x, y), covers(x)),
-                Some(stacks) => stacks[x as usize].clone(),
+            let moved = (!right_places).then(|| asked_elsewhere(case, rules, (x, y)));
+            let stack = match (&moved, &line) {
+                (Some(rules), _) => {
+                    let covering = (0..case.faces.len()).filter(|&index| outlines[index].covers((x, y), rules));
+                    Stack::of(case, rules, (x, y), covering)
+                }
+                (None, Some(stacks)) => stacks[x as usize].clone(),
+                (None, None) => Stack::of(case, rules, (x, y), covers(x)),
             };
+            let rules = moved.as_ref().unwrap_or(rules);
             let color = |index: usize| {
                 let color = face_color(case, index, &corner_values[index], rules, (x, y));
                 rules.face_channels.map(|channel| color[channel])
@@ -122,6 +136,33 @@ fn paint_samples(case: &Case, rules: &Rules) -> Vec<Sample> {
         }
     }
     samples
+}
+
+/// The rules with the place at which a sample of a pixel is asked for.
+fn asked_elsewhere(case: &Case, rules: &Rules, (x, y): (i32, i32)) -> Rules {
+    let place = pixels::place((x, y), case.samples as i32, rules.sample_at);
+    Rules { cover_at: (place.0 - f64::from(x), place.1 - f64::from(y)), ..rules.clone() }
+}
+
+/// A pixel to which each face is added by its share of it, in list order.
+fn mixed(case: &Case, rules: &Rules, (x, y): (usize, usize), later_counts: bool) -> [f64; 3] {
+    let side = case.samples as i32;
+    let (mut color, mut kept) = (empty(case, rules).color, 0.0);
+    for (index, face) in case.faces.iter().enumerate() {
+        let outline = Outline::new(&face.corners, rules, (case.width, case.height));
+        let places = (0..side * side).map(|at| (x as i32 * side + at % side, y as i32 * side + at / side));
+        let own: Vec<_> = places.filter(|&place| outline.covers(place, rules)).collect();
+        let Some(&first) = own.first() else { continue };
+        let depth = depth(face, rules, (first, case.samples));
+        if depth < kept || (depth == kept && !later_counts) {
+            continue;
+        }
+        kept = depth;
+        let share = own.len() as f64 / f64::from(side * side);
+        let light = face_color(case, index, &Corners::of(face, rules), rules, first);
+        color = [0, 1, 2].map(|channel| color[channel] * (1.0 - share) + light[channel] * share);
+    }
+    color
 }
 
 /// What covers one sample.
@@ -138,7 +179,7 @@ impl Stack {
         let mut stack = Stack { layers: Vec::new(), front: None };
         for index in covering {
             let face = &case.faces[index];
-            let depth = depth(face, rules, sample);
+            let depth = depth(face, rules, (sample, case.samples));
             let wins = match (rules.front, stack.front) {
                 (Front::Last, _) => true,
                 (Front::First, front) => front.is_none(),
@@ -197,112 +238,67 @@ fn point((x, y): (i32, i32), rules: &Rules) -> (f64, f64) {
     (f64::from(x) + rules.value_at.0, f64::from(y) + rules.value_at.1)
 }
 
-fn depth(face: &Face, rules: &Rules, sample: (i32, i32)) -> f64 {
+/// Depth at a sample, where `samples` of them are the side of a pixel.
+fn depth(face: &Face, rules: &Rules, (sample, samples): ((i32, i32), u32)) -> f64 {
     let depths = || face.corners.iter().map(|&corner| face.inverse_w_at(corner));
+    let clamped = |depth: f64| {
+        let (least, most) = (depths().fold(f64::INFINITY, f64::min), depths().fold(0.0, f64::max));
+        depth.clamp(least, most)
+    };
+    if rules.depth_at != SampleAt::Own && samples > 1 {
+        return clamped(face.inverse_w_at(pixels::place(sample, samples as i32, rules.depth_at)));
+    }
     match rules.depth {
+        DepthFrom::Plane if rules.clamps => clamped(face.inverse_w_at(point(sample, rules))),
         DepthFrom::Plane => face.inverse_w_at(point(sample, rules)),
         DepthFrom::FirstCorner => face.inverse_w_at(face.corners[0]),
         DepthFrom::NearestCorner => depths().fold(0.0, f64::max),
         DepthFrom::MeanCorner => depths().sum::<f64>() / face.corners.len() as f64,
         DepthFrom::Whole => face.inverse_w_at(point(sample, rules)).floor(),
         DepthFrom::LinearW => {
-            let weights = weights(face, point(sample, rules));
+            let weights = values::weights(face, point(sample, rules));
             1.0 / (0..3).map(|corner| weights[corner] / face.inverse_w_at(face.corners[corner])).sum::<f64>()
         }
+        DepthFrom::Runs(rule) => runs::depth(face, rule, point(sample, rules)),
     }
 }
 
-/// The values at the first three corners and at the last, after they were carried.
-fn carried(face: &Face, carried: Carried) -> [[f64; 3]; 4] {
-    let last = face.corners.len() - 1;
-    let value = |corner: usize| face.values_at(face.corners[corner]);
-    let order = match carried {
-        Carried::Right => [0, 1, 2],
-        Carried::Rotated => [1, 2, 0],
-        Carried::RotatedBack => [2, 0, 1],
-        Carried::LastTwoSwapped => [0, 2, 1],
-        Carried::FirstTwoSwapped => [1, 0, 2],
-        Carried::OuterSwapped => [2, 1, 0],
-        Carried::SortedByY => order_by_y(&face.corners),
-    };
-    [value(order[0]), value(order[1]), value(order[2]), if last == 2 { value(order[2]) } else { value(last) }]
-}
-
-/// Which values the corners get when corners are sorted by y and values are not.
-fn order_by_y(corners: &[(f64, f64)]) -> [usize; 3] {
-    let mut sorted = [0, 1, 2];
-    sorted.sort_by(|&a: &usize, &b: &usize| corners[a].1.total_cmp(&corners[b].1));
-    // The corner that stands at position p after sorting gets the value of input p.
-    let mut order = [0; 3];
-    for (position, corner) in sorted.into_iter().enumerate() {
-        order[corner] = position;
-    }
-    order
-}
-
-/// Weights of the first three corners at a point of the screen.
-fn weights(face: &Face, point: (f64, f64)) -> [f64; 3] {
-    let [a, b, c] = [face.corners[0], face.corners[1], face.corners[2]];
-    let cross = super::covered::cross;
-    let area = cross(a, b, c);
-    if area == 0.0 {
-        return [1.0, 0.0, 0.0];
-    }
-    [cross(b, c, point) / area, cross(c, a, point) / area, cross(a, b, point) / area]
-}
-
-fn interpolated(face: &Face, values: &[[f64; 3]; 4], rules: &Rules, at: (f64, f64)) -> [f64; 3] {
-    let weights = weights(face, at);
-    let sum = |factor: &dyn Fn(usize) -> f64| {
-        [0, 1, 2].map(|number| (0..3).map(|corner| weights[corner] * factor(corner) * values[corner][number]).sum())
-    };
-    let inverse_w = |corner: usize| face.inverse_w_at(face.corners[corner]);
-    let times = |numbers: [f64; 3], factor: f64| numbers.map(|number| number * factor);
-    let here = face.inverse_w_at(at);
-    match rules.values {
-        Interpolation::Perspective => times(sum(&inverse_w), 1.0 / here),
-        Interpolation::Affine => sum(&|_| 1.0),
-        Interpolation::NotMultipliedBack => sum(&inverse_w),
-        Interpolation::MultipliedTwice => times(sum(&inverse_w), 1.0 / (here * here)),
-        Interpolation::FirstCorner => values[0],
-        Interpolation::LastCorner => values[3],
-        Interpolation::Mean => [0, 1, 2].map(|number| (0..3).map(|corner| values[corner][number]).sum::<f64>() / 3.0),
-        Interpolation::NearestCorner => {
-            let heaviest = (0..3).fold(0, |best, corner| if weights[corner] > weights[best] { corner } else { best });
-            values[heaviest]
-        }
-    }
-}
-
-fn face_color(case: &Case, index: usize, values: &[[f64; 3]; 4], rules: &Rules, sample: (i32, i32)) -> [f64; 3] {
+fn face_color(case: &Case, index: usize, corners: &Corners, rules: &Rules, sample: (i32, i32)) -> [f64; 3] {
     let (face, at) = (&case.faces[index], point(sample, rules));
-    let Some(lamp) = &case.lamp else {
-        // One color is one color, whatever the weights; a carried or divided one is not.
-        if face.is_flat() && !matches!(rules.values, Interpolation::NotMultipliedBack | Interpolation::MultipliedTwice)
-        {
-            return values[0];
-        }
-        return interpolated(face, values, rules, at);
-    };
-    let normal = |at: (f64, f64)| interpolated(face, values, rules, at);
-    lighting::light(case, face, (lamp, rules), at, normal)
+    if let Some(lamp) = &case.lamp {
+        return lighting::light((case, lamp), (face, corners), rules, at);
+    }
+    // One color is one color, whatever the weights; a divided or multiplied one is not.
+    if corners.is_flat && (keeps_flat(rules.values) || rules.spares_constants) {
+        return corners.values[0];
+    }
+    values::interpolated(face, corners, rules, at)
+}
+
+/// Whether values that are the same at all corners stay so.
+fn keeps_flat(values: Interpolation) -> bool {
+    use Interpolation as I;
+    !matches!(
+        values,
+        I::NotMultipliedBack
+            | I::MultipliedTwice
+            | I::TimesDepth
+            | I::AffineDivided
+            | I::AffineTimes
+            | I::DividedBy(_)
+            | I::LimitsOnOverW
+            | I::Without(_)
+            | I::Times(_)
+            | I::WithoutX
+            | I::WithoutY
+    )
 }
 
 /// The least and greatest levels of a pixel.
-fn pixel(samples: &[Sample], rules: &Rules) -> ([u8; 3], [u8; 3]) {
-    let mean = |value: &dyn Fn(&Sample) -> [f64; 3]| {
-        [0, 1, 2].map(|channel| samples.iter().map(|sample| value(sample)[channel]).sum::<f64>() / samples.len() as f64)
-    };
+fn pixel(samples: &[Sample], rules: &Rules, mixed: Option<[f64; 3]>) -> ([u8; 3], [u8; 3]) {
     let side = (samples.len() as f64).sqrt() as usize;
-    let color = match rules.pixel {
-        PixelFrom::Mean => mean(&|sample| sample.color),
-        PixelFrom::FirstSample => samples[0].color,
-        PixelFrom::MiddleSample => samples[side / 2 * side + side / 2].color,
-        PixelFrom::MeanOfLevels => mean(&|sample| sample.color.map(|light| (light * 255.0).floor() / 255.0)),
-        PixelFrom::Most => samples
-            .iter()
-            .fold([0.0; 3], |most: [f64; 3], sample| [0, 1, 2].map(|channel| most[channel].max(sample.color[channel]))),
-    };
+    let shown: Vec<pixels::Shown> = samples.iter().map(|sample| (sample.color, sample.front)).collect();
+    let color = mixed.unwrap_or_else(|| pixels::light(&shown, side, rules.pixel));
     let color = rules.channels.map(|channel| color[channel]);
     (
         color.map(|light| level(light, -LEVEL_BAND, rules.levels)),

@@ -37,6 +37,14 @@ pub(super) fn placed<T: Copy>(samples: &[T], (width, height): (usize, usize), pl
         Place::OneDown => y.checked_sub(1).map(|y| (x, y)),
         Place::OneLeft => (x + 1 < width).then_some((x + 1, y)),
         Place::OneUp => (y + 1 < height).then_some((x, y + 1)),
+        Place::NextInMemory => {
+            let at = (y * width + x + 1).min(width * height - 1);
+            Some((at % width, at / width))
+        }
+        Place::LastInMemory => {
+            let at = (y * width + x).saturating_sub(1);
+            Some((at % width, at / width))
+        }
     };
     (0..width * height).map(|at| from(at % width, at / width).map_or(empty, |(x, y)| samples[y * width + x])).collect()
 }

@@ -4,6 +4,9 @@
 //! rasterizer with that mistake would. Two mistakes are two changed fields, so mistakes found earlier can be built into what
 //! later pictures are held against: one slip does not fail everything after it.
 
+use super::light_rules::LightRules;
+pub use super::pixel_rules::{Count, Part, PixelFrom, SampleAt};
+use super::runs::RunRule;
 use super::scan::Scan;
 
 /// Everything a picture is decided by.
@@ -43,8 +46,14 @@ pub struct Rules {
     pub later_wins_ties: bool,
     /// How values get from corners to samples.
     pub values: Interpolation,
+    /// Values that are the same at all corners stay what they are.
+    pub spares_constants: bool,
+    /// Values, and depth, are kept between the least and the greatest of the corners.
+    pub clamps: bool,
     /// Which corner's value goes to which corner.
     pub carried: Carried,
+    /// What of 1/w is carried with it.
+    pub over_w: OverW,
     /// Which channel is written first, second, third.
     pub channels: [usize; 3],
     /// The same of the polygons alone: the background stays as it is.
@@ -55,10 +64,14 @@ pub struct Rules {
     pub blending: Blending,
     /// Which color is behind everything; `None` for the case's own.
     pub background: Option<f64>,
+    /// Where the samples of a pixel are.
+    pub sample_at: SampleAt,
+    /// At which sample of a pixel depth is taken.
+    pub depth_at: SampleAt,
     /// How samples become a pixel.
     pub pixel: PixelFrom,
     /// How a lit sample gets its light.
-    pub light: Light,
+    pub light: LightRules,
     /// Which samples a line shows.
     pub lines: Lines,
 }
@@ -319,6 +332,10 @@ pub enum Place {
     OneLeft,
     /// One row up.
     OneUp,
+    /// Each shows what the next in memory should: to the left, the first of a row at the end of the row above.
+    NextInMemory,
+    /// The one before: to the right, the last of a row at the start of the row below.
+    LastInMemory,
 }
 
 /// Which polygon of several keeps a sample.
@@ -335,7 +352,7 @@ pub enum Front {
 }
 
 /// Where the compared depth comes from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum DepthFrom {
     /// The plane of 1/w, at the sample.
     Plane,
@@ -349,10 +366,12 @@ pub enum DepthFrom {
     LinearW,
     /// 1/w cut to a whole number.
     Whole,
+    /// Along edges, then along rows.
+    Runs(RunRule),
 }
 
 /// How values get from corners to samples.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Interpolation {
     /// Linear in space.
     Perspective,
@@ -362,14 +381,57 @@ pub enum Interpolation {
     NotMultipliedBack,
     /// Value / w, divided by 1/w twice.
     MultipliedTwice,
-    /// The first corner's value.
-    FirstCorner,
-    /// The last corner's value.
-    LastCorner,
+    /// Value / w, times 1/w.
+    TimesDepth,
+    /// The value, divided by 1/w.
+    AffineDivided,
+    /// The value, times 1/w.
+    AffineTimes,
+    /// Value / w, divided by another 1/w.
+    DividedBy(Divisor),
+    /// Value times w, divided by w.
+    ByW,
+    /// The limits of the value are put on value / w.
+    LimitsOnOverW,
+    /// That corner does not count.
+    Without(usize),
+    /// Times this.
+    Times(f64),
+    /// The plane of value / w without its x.
+    WithoutX,
+    /// Without its y.
+    WithoutY,
+    /// Weights are the inverses of distances.
+    Distances,
+    /// That corner's value.
+    Corner(usize),
+    /// The value of the corner nearest to the eye.
+    NearestToEye,
     /// The mean of three corners.
     Mean,
+    /// The value at the middle of three corners.
+    Middle,
     /// The value of the corner with the greatest weight.
-    NearestCorner,
+    Heaviest,
+    /// The value of the closest corner on the screen.
+    Closest,
+    /// Along edges, then along rows.
+    Runs(RunRule),
+}
+
+/// What value / w is divided by instead of the sample's 1/w.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Divisor {
+    /// That of a corner.
+    Corner(usize),
+    /// That of the nearest corner.
+    Nearest,
+    /// That of the farthest.
+    Farthest,
+    /// The mean of the corners'.
+    Mean,
+    /// One over w drawn out straight.
+    LinearW,
 }
 
 /// Which corner's values go to which corner.
@@ -387,8 +449,35 @@ pub enum Carried {
     FirstTwoSwapped,
     /// The first and third exchanged.
     OuterSwapped,
+    /// The next one's, going round clockwise.
+    TurnedRight,
+    /// The next one's, going round counterclockwise.
+    TurnedLeft,
+    /// The first and second exchanged after all were turned clockwise.
+    FirstTwoByTurn,
+    /// The first and third exchanged after all were turned clockwise.
+    OuterByTurn,
+    /// Another order of triangles that run clockwise.
+    Clockwise([usize; 3]),
+    /// Of those that run counterclockwise.
+    CounterClockwise([usize; 3]),
     /// Corners sorted by y, values not.
     SortedByY,
+    /// From the lowest up.
+    SortedByYDown,
+    /// Sorted by x.
+    SortedByX,
+}
+
+/// What of 1/w is carried with a value to another corner.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OverW {
+    /// Nothing.
+    Stays,
+    /// Value / w is carried.
+    WithValue,
+    /// So is the 1/w that it is divided by.
+    WithDivisor,
 }
 
 /// From light to a level.
@@ -423,48 +512,6 @@ pub enum Blending {
     Swapped,
     /// In the order of the list.
     ListOrder,
-}
-
-/// How samples become a pixel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PixelFrom {
-    /// Their mean.
-    Mean,
-    /// The first.
-    FirstSample,
-    /// The one in the middle.
-    MiddleSample,
-    /// The brightest.
-    Most,
-    /// The mean of samples cut to levels.
-    MeanOfLevels,
-}
-
-/// How a lit sample gets its light.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Light {
-    /// At the sample.
-    Right,
-    /// At the corners, interpolated.
-    AtCorners,
-    /// At the first corner.
-    AtFirstCorner,
-    /// With the normal as interpolated.
-    NormalNotUnit,
-    /// With the vector to the lamp as long as it is.
-    LampNotUnit,
-    /// From behind as well.
-    BothSides,
-    /// Without ambient light.
-    NoAmbient,
-    /// Without a highlight.
-    NoHighlight,
-    /// Highlight by the halfway vector.
-    HalfwayHighlight,
-    /// Highlight even where N.L < 0.
-    HighlightEverywhere,
-    /// Highlight without exponent.
-    ExponentOne,
 }
 
 /// Which samples a line shows.
@@ -505,14 +552,19 @@ impl Default for Rules {
             clear: 0.0,
             later_wins_ties: false,
             values: Interpolation::Perspective,
+            spares_constants: false,
+            clamps: false,
             carried: Carried::Right,
+            over_w: OverW::Stays,
             channels: [0, 1, 2],
             face_channels: [0, 1, 2],
             levels: Levels::Round,
             blending: Blending::Over,
             background: None,
+            sample_at: SampleAt::Own,
+            depth_at: SampleAt::Own,
             pixel: PixelFrom::Mean,
-            light: Light::Right,
+            light: LightRules::default(),
             lines: Lines::DiamondExit,
         }
     }

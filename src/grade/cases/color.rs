@@ -1,10 +1,9 @@
-//! Cases about color: channels, levels, interpolation, light, and samples.
+//! Cases about color: channels, levels, interpolation.
 
 use super::{Random, rectangle, tint};
-use crate::grade::case::{Case, Face, Lamp};
-use crate::math::Vec3;
+use crate::grade::case::{Case, Face};
 
-const LEFT: [(f64, f64); 3] = [(0.75, 0.25), (11.25, 4.75), (2.25, 11.75)];
+pub(super) const LEFT: [(f64, f64); 3] = [(0.75, 0.25), (11.25, 4.75), (2.25, 11.75)];
 
 /// Three faces of one channel each, and a background of its own.
 #[must_use]
@@ -93,50 +92,5 @@ pub fn perspective(seed: u64) -> Vec<Case> {
         Case::new("three distances", (12, 12), vec![face([4.0, 1.0, 2.0])]),
         Case::new("floor", (12, 12), floor),
         Case::new("random distances", (12, 12), vec![any]),
-    ]
-}
-
-/// Triangles with normals that bend, under a lamp.
-#[must_use]
-pub fn light(_: u64) -> Vec<Case> {
-    let lamp = Lamp { position: Vec3::new(2.0, 3.0, -1.0), ambient: 0.1, diffuse: 0.4, specular: 0.45, shine: 12.0 };
-    let unit = |v: [f64; 3]| crate::math::unit(Vec3::from(v)).unwrap_or(Vec3::NEG_Z).to_array();
-    let bent = [[-0.8, 0.5, -0.6], [0.9, 0.2, -0.5], [0.1, -0.9, -0.6]].map(unit);
-    let lit = |name: &str, lamp: Lamp, w: [f64; 3], normals: [[f64; 3]; 3]| {
-        let mut case = Case::new(name, (12, 12), vec![Face::smooth(LEFT, w, normals)]);
-        case.lamp = Some(lamp);
-        case
-    };
-    let behind = Lamp { position: Vec3::new(-6.0, 1.0, 9.0), diffuse: 0.8, shine: 3.0, ..lamp };
-    let matte = Lamp { specular: 0.0, diffuse: 0.8, ..lamp };
-    vec![
-        lit("matte", matte, [4.0; 3], bent),
-        lit("highlight", Lamp { position: Vec3::new(0.5, 0.5, -2.0), ..lamp }, [4.0; 3], bent),
-        lit("lamp behind", behind, [4.0, 5.0, 4.0], bent),
-        lit("receding", lamp, [3.0, 8.0, 5.0], bent),
-    ]
-}
-
-/// Several samples a pixel.
-#[must_use]
-pub fn samples(_: u64) -> Vec<Case> {
-    let sampled = |name: &str, samples: u32, faces: Vec<Face>| {
-        let mut case = Case::new(name, (8 * samples, 8 * samples), faces);
-        case.samples = samples;
-        case
-    };
-    let white = [0.98; 3];
-    let edge = |side: f64| {
-        vec![Face::flat(&[(0.25, 0.25), (side - 0.5, side / 3.0 + 0.125), (side / 4.0, side - 0.25)], 0.5, white)]
-    };
-    let abutting = vec![
-        Face::flat(&[(0.0, 0.0), (19.25, 0.0), (12.25, 32.0), (0.0, 32.0)], 0.5, white),
-        Face::flat(&[(19.25, 0.0), (32.0, 0.0), (32.0, 32.0), (12.25, 32.0)], 0.5, white),
-    ];
-    vec![
-        sampled("slanted edges, 2 x 2", 2, edge(16.0)),
-        sampled("slanted edges, 4 x 4", 4, edge(32.0)),
-        sampled("two faces side by side", 4, abutting),
-        sampled("colors, 3 x 3", 3, vec![Face::flat(&[(1.25, 2.25), (22.5, 5.75), (9.25, 23.25)], 0.5, tint(0))]),
     ]
 }

@@ -6,7 +6,9 @@
 pub mod color;
 pub mod coverage;
 pub mod depth;
+pub mod light;
 pub mod lines;
+pub mod samples;
 
 /// The color of face `number`: no two alike, no channel like another.
 pub(super) fn tint(number: usize) -> [f64; 3] {

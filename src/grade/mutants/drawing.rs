@@ -1,7 +1,7 @@
-//! Mistakes about where samples land, what is behind them, how they become pixels, and which of them a line shows.
+//! Mistakes about where samples land, what is behind them, and which of them a line shows.
 
 use super::{Mutant, mutant};
-use crate::grade::rules::{Border, Fill, Lines, PixelFrom, Place};
+use crate::grade::rules::{Border, Fill, Lines, Place};
 
 const PAGE: &str = "docs/conventions.md";
 const WIRE: &str = "docs/conventions.md";
@@ -17,13 +17,6 @@ const BORDER: [&str; 4] = [
     "Columns are 0 to width - 1, rows 0 to height - 1, all included.",
     PAGE,
 ];
-const SAMPLES: [&str; 4] = [
-    "one sample a pixel",
-    "Of a pixel's A x A samples only one is shown.",
-    "A pixel is the mean of its A x A samples.",
-    PAGE,
-];
-
 pub(super) const MUTANTS: &[Mutant] = &[
     mutant(["nothing drawn", "No polygon is drawn.", "Put a fragment on every covered sample.", PAGE], |rules| {
         (rules.fill, rules.lines) = (Fill::Nothing, Lines::Nothing)
@@ -47,6 +40,8 @@ pub(super) const MUTANTS: &[Mutant] = &[
     mutant(SHIFTED, |rules| rules.place = Place::OneLeft),
     mutant(SHIFTED, |rules| rules.place = Place::OneDown),
     mutant(SHIFTED, |rules| rules.place = Place::OneUp),
+    mutant(SHIFTED, |rules| rules.place = Place::NextInMemory),
+    mutant(SHIFTED, |rules| rules.place = Place::LastInMemory),
     mutant(BORDER, |rules| rules.border = Border::LastColumn),
     mutant(BORDER, |rules| rules.border = Border::LastRow),
     mutant(BORDER, |rules| rules.border = Border::LastBoth),
@@ -78,21 +73,6 @@ pub(super) const MUTANTS: &[Mutant] = &[
             PAGE,
         ],
         |rules| rules.background = Some(1.0),
-    ),
-    mutant(SAMPLES, |rules| rules.pixel = PixelFrom::FirstSample),
-    mutant(SAMPLES, |rules| rules.pixel = PixelFrom::MiddleSample),
-    mutant(
-        ["brightest sample", "A pixel shows its brightest sample.", "A pixel is the mean of its A x A samples.", PAGE],
-        |rules| rules.pixel = PixelFrom::Most,
-    ),
-    mutant(
-        [
-            "levels averaged",
-            "Samples are cut to levels before they are averaged.",
-            "Average light, and turn the mean into a level once.",
-            PAGE,
-        ],
-        |rules| rules.pixel = PixelFrom::MeanOfLevels,
     ),
     mutant(
         [

@@ -6,12 +6,19 @@
 //!
 //! Why mutants of the oracle and not of a rasterizer: one rule, one change, no side effect of how a loop happens to be written.
 
+mod carried;
 mod color;
 mod coverage;
 mod depth;
 mod drawing;
+mod highlight;
+mod light;
+mod normal;
 mod pieces;
+mod pixel;
+mod run;
 mod spans;
+mod value;
 
 use super::rules::Rules;
 
@@ -33,7 +40,11 @@ pub struct Mutant {
 /// All of them.
 #[must_use]
 pub fn all() -> Vec<Mutant> {
-    [coverage::MUTANTS, depth::MUTANTS, color::MUTANTS, drawing::MUTANTS, pieces::MUTANTS, spans::MUTANTS].concat()
+    let first = [coverage::MUTANTS, depth::MUTANTS, color::MUTANTS, drawing::MUTANTS].concat();
+    let covered = [pieces::MUTANTS, spans::MUTANTS].concat();
+    let values = [value::MUTANTS, carried::MUTANTS, run::MUTANTS].concat();
+    let light = [light::MUTANTS, normal::MUTANTS, highlight::MUTANTS].concat();
+    [first, covered, values, light, pixel::MUTANTS.to_vec()].concat()
 }
 
 impl Mutant {
