@@ -17,7 +17,7 @@ mod diagnose;
 pub mod folder;
 pub mod labs;
 mod lighting;
-mod lines;
+pub mod lines;
 pub mod mutants;
 pub mod paint;
 mod place;

@@ -4,6 +4,8 @@
 //! rasterizer with that mistake would. Two mistakes are two changed fields, so mistakes found earlier can be built into what
 //! later pictures are held against: one slip does not fail everything after it.
 
+use super::lines::rule::Lines;
+
 /// Everything a picture is decided by.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rules {
@@ -53,7 +55,7 @@ pub struct Rules {
     pub pixel: PixelFrom,
     /// How a lit sample gets its light.
     pub light: Light,
-    /// Which samples a line shows.
+    /// How lines are drawn.
     pub lines: Lines,
 }
 
@@ -370,23 +372,6 @@ pub enum Light {
     ExponentOne,
 }
 
-/// Which samples a line shows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Lines {
-    /// Whose diamond it leaves.
-    DiamondExit,
-    /// Stepped between whole ends.
-    Truncated,
-    /// Stepped along x only.
-    ColumnsOnly,
-    /// Whose diamond it touches.
-    WithLastSample,
-    /// All but those of the last edge.
-    Open,
-    /// None.
-    Nothing,
-}
-
 impl Default for Rules {
     /// The contract.
     fn default() -> Self {
@@ -414,7 +399,7 @@ impl Default for Rules {
             background: None,
             pixel: PixelFrom::Mean,
             light: Light::Right,
-            lines: Lines::DiamondExit,
+            lines: Lines::RIGHT,
         }
     }
 }

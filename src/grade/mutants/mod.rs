@@ -10,7 +10,10 @@ mod color;
 mod coverage;
 mod depth;
 mod drawing;
+mod lines;
 
+use super::labs::Lab;
+use super::lines::rule::Lines;
 use super::rules::Rules;
 
 /// A mistake that students make.
@@ -31,10 +34,26 @@ pub struct Mutant {
 /// All of them.
 #[must_use]
 pub fn all() -> Vec<Mutant> {
-    [coverage::MUTANTS, depth::MUTANTS, color::MUTANTS, drawing::MUTANTS].concat()
+    [coverage::MUTANTS, depth::MUTANTS, color::MUTANTS, drawing::MUTANTS, &lines::all()].concat()
+}
+
+/// Those that may change a picture of `lab`: where no case has lines, no mistake about lines needs to be tried.
+#[must_use]
+pub fn of(lab: &Lab) -> Vec<Mutant> {
+    let has_lines = lab.aspects.iter().any(|aspect| (aspect.cases)(0).iter().any(|case| case.lines));
+    let mut mutants = all();
+    mutants.retain(|mutant| has_lines || !mutant.is_about_lines());
+    mutants
 }
 
 impl Mutant {
+    /// Whether it changes nothing but lines.
+    #[must_use]
+    pub fn is_about_lines(&self) -> bool {
+        let changed = self.applied_to(&Rules::default());
+        Rules { lines: Lines::RIGHT, ..changed } == Rules::default()
+    }
+
     /// `rules` with this mistake in them as well.
     #[must_use]
     pub fn applied_to(&self, rules: &Rules) -> Rules {
