@@ -16,9 +16,17 @@ fn wires(name: &str, size: (u32, u32), outlines: &[&[Point]]) -> Case {
 /// Shallow, steep and diagonal lines, in all eight octants, both ways round.
 #[must_use]
 pub fn directions(seed: u64) -> Vec<Case> {
-    let octagon =
-        [(8.2, 1.32), (13.1, 3.22), (14.6, 8.12), (13.2, 12.42), (8.3, 14.72), (3.1, 12.82), (1.4, 8.42), (2.9, 3.62)]
-            .map(snap);
+    let octagon = [
+        (8.22, 1.32),
+        (13.12, 3.22),
+        (14.62, 8.12),
+        (13.22, 12.42),
+        (8.32, 14.72),
+        (3.12, 12.82),
+        (1.42, 8.42),
+        (2.92, 3.62),
+    ]
+    .map(snap);
     let mut other = octagon.map(|(x, y)| (15.875 - x, y + 0.0625));
     other.rotate_left(3);
     let mut random = Random(seed ^ 0x11E5);

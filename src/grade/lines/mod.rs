@@ -10,6 +10,7 @@
 mod ask;
 pub mod rule;
 mod step;
+mod step_rule;
 
 use crate::math::edges;
 use rule::{Backward, Ends, Lines, Lost, Pen, Shape, Walk};

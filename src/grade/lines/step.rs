@@ -39,8 +39,12 @@ pub(super) fn step(line: Line, step: Step, mut show: impl FnMut((i64, i64))) {
         };
         let row = (anchor.1 + (at - anchor.0) * slope + step.shift + lead).floor() as i64;
         let right = (middle, start.1 + (middle - start.0) * right_slope);
-        let asked = if step.ends == StepEnds::RightDiamonds { right.1.floor() as i64 } else { row };
-        if is_shown((start, end), right, (column, asked), step.ends) {
+        // Most programs ask for the diamond where they believe the line to be.
+        let (asked, nearest) = match step.ends {
+            StepEnds::RightDiamonds => (right.1.floor() as i64, right),
+            _ => (row, (middle, anchor.1 + (middle - anchor.0) * slope)),
+        };
+        if is_shown((start, end), nearest, (column, asked), step.ends) {
             emit(column, row);
         }
     }
