@@ -7,6 +7,7 @@
 //!
 //! Space: samples; colors are linear light.
 
+use super::lines::rule::Ink;
 use crate::color::{Encoding, Rgb};
 use crate::geometry::split::{SplitScratch, split};
 use crate::math::Vec3;
@@ -186,7 +187,7 @@ impl Case {
         list.has_blending = self.faces.iter().any(|face| face.opacity < 1.0);
         if self.lines {
             (list.varying, list.has_depth) = (Varying::Nothing, false);
-            list.shader.line_color = Rgb::gray(1.0);
+            list.shader.line_color = Rgb::from(Ink::Right.on(self.background)).to_f32();
         }
         if let Some(lamp) = self.lamp {
             list.varying = Varying::NormalEye;

@@ -22,7 +22,7 @@ pub mod labs;
 pub mod light_rules;
 mod lighting;
 mod line_spans;
-mod lines;
+pub mod lines;
 pub mod look;
 pub mod mutants;
 pub mod paint;

@@ -97,11 +97,15 @@ fn empty(case: &Case, rules: &Rules) -> Sample {
 }
 
 fn paint_lines(case: &Case, rules: &Rules) -> Vec<Sample> {
-    let mut samples = vec![empty(case, rules); (case.width * case.height) as usize];
-    for (index, face) in case.faces.iter().enumerate() {
-        lines::outline(&face.corners, rules.lines, (case.width, case.height), |at, is_certain| {
-            let was_certain = samples[at].front.is_some() && !samples[at].disputed;
-            samples[at] = Sample { color: [1.0; 3], front: Some(index), disputed: !is_certain && !was_certain };
+    let (empty, rule) = (empty(case, rules), &rules.lines);
+    let mut samples = vec![empty; (case.width * case.height) as usize];
+    let color = rule.ink.on(case.background);
+    for (index, face) in case.faces.iter().enumerate().filter(|&(index, _)| rule.draws(index, case.faces.len())) {
+        lines::outline(&face.corners, rule, (case.width, case.height), |at, is_certain| {
+            let old = samples[at];
+            let was_certain = old.front.is_some() && !old.disputed;
+            let shown = Sample { color, front: Some(index), disputed: !is_certain && !was_certain };
+            samples[at] = if rule.is_exclusive && old.front.is_some() { empty } else { shown };
         });
     }
     samples

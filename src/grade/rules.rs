@@ -5,6 +5,7 @@
 //! later pictures are held against: one slip does not fail everything after it.
 
 use super::light_rules::LightRules;
+use super::lines::rule::Lines;
 pub use super::pixel_rules::{Count, Part, PixelFrom, SampleAt};
 use super::runs::RunRule;
 use super::scan::Scan;
@@ -72,7 +73,7 @@ pub struct Rules {
     pub pixel: PixelFrom,
     /// How a lit sample gets its light.
     pub light: LightRules,
-    /// Which samples a line shows.
+    /// How lines are drawn.
     pub lines: Lines,
 }
 
@@ -514,23 +515,6 @@ pub enum Blending {
     ListOrder,
 }
 
-/// Which samples a line shows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Lines {
-    /// Whose diamond it leaves.
-    DiamondExit,
-    /// Stepped between whole ends.
-    Truncated,
-    /// Stepped along x only.
-    ColumnsOnly,
-    /// Whose diamond it touches.
-    WithLastSample,
-    /// All but those of the last edge.
-    Open,
-    /// None.
-    Nothing,
-}
-
 impl Default for Rules {
     /// The contract.
     fn default() -> Self {
@@ -565,7 +549,7 @@ impl Default for Rules {
             depth_at: SampleAt::Own,
             pixel: PixelFrom::Mean,
             light: LightRules::default(),
-            lines: Lines::DiamondExit,
+            lines: Lines::RIGHT,
         }
     }
 }

@@ -87,7 +87,7 @@ pub(super) struct Search<'a> {
 
 impl<'a> Search<'a> {
     pub fn new(lab: &Lab, aspects: &'a [AspectVerdict]) -> Search<'a> {
-        let mut mutants = mutants::all();
+        let mut mutants = mutants::of(lab);
         mutants.retain(|mutant| concerns(mutant, lab, aspects));
         let mut search = Search {
             aspects,
@@ -229,8 +229,11 @@ impl<'a> Search<'a> {
 
     /// Mismatches that a mutant leaves in all aspects, if at most so many.
     fn everywhere(&self, mutant: usize, most: usize) -> Option<usize> {
+        // Most mutants fail where most is wrong.
+        let mut aspects: Vec<usize> = (0..self.aspects.len()).collect();
+        aspects.sort_by_key(|&aspect| std::cmp::Reverse(self.left[aspect]));
         let mut sum = 0;
-        for aspect in 0..self.aspects.len() {
+        for aspect in aspects {
             sum += self.cell(mutant, aspect, most.checked_sub(sum)?)?;
         }
         (sum <= most).then_some(sum)

@@ -1,10 +1,10 @@
-//! Mistakes about where samples land, what is behind them, and which of them a line shows.
+//! Mistakes about where samples land, and what is behind them.
 
 use super::{Mutant, mutant};
-use crate::grade::rules::{Border, Fill, Lines, Place};
+use crate::grade::lines::rule::Shape;
+use crate::grade::rules::{Border, Fill, Place};
 
 const PAGE: &str = "docs/conventions.md";
-const WIRE: &str = "docs/conventions.md";
 const SHIFTED: [&str; 4] = [
     "picture moved by one",
     "The whole picture lies one sample beside its place.",
@@ -19,7 +19,7 @@ const BORDER: [&str; 4] = [
 ];
 pub(super) const MUTANTS: &[Mutant] = &[
     mutant(["nothing drawn", "No polygon is drawn.", "Put a fragment on every covered sample.", PAGE], |rules| {
-        (rules.fill, rules.lines) = (Fill::Nothing, Lines::Nothing)
+        (rules.fill, rules.lines.shape) = (Fill::Nothing, Shape::Nothing)
     }),
     mutant(["upside down", "The picture is upside down.", "y runs down: row 0 is the uppermost.", PAGE], |rules| {
         rules.place = Place::UpsideDown
@@ -73,36 +73,5 @@ pub(super) const MUTANTS: &[Mutant] = &[
             PAGE,
         ],
         |rules| rules.background = Some(1.0),
-    ),
-    mutant(
-        [
-            "line ends made whole",
-            "Line ends are cut to whole samples before the line is stepped.",
-            "A line shows the samples whose diamond |dx| + |dy| < 1/2 it leaves; ends lie between samples.",
-            WIRE,
-        ],
-        |rules| rules.lines = Lines::Truncated,
-    ),
-    mutant(
-        [
-            "steep lines with gaps",
-            "Lines are stepped along x only, so steep ones have gaps.",
-            "Step along the longer direction.",
-            WIRE,
-        ],
-        |rules| rules.lines = Lines::ColumnsOnly,
-    ),
-    mutant(
-        [
-            "last sample of lines drawn",
-            "A line shows the sample it ends in, which belongs to the next line.",
-            "A line shows the samples whose diamond it leaves, not the one it ends in.",
-            WIRE,
-        ],
-        |rules| rules.lines = Lines::WithLastSample,
-    ),
-    mutant(
-        ["outline not closed", "The edge from the last corner to the first is missing.", "An outline is closed.", WIRE],
-        |rules| rules.lines = Lines::Open,
     ),
 ];

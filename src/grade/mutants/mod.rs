@@ -13,6 +13,7 @@ mod depth;
 mod drawing;
 mod highlight;
 mod light;
+mod lines;
 mod normal;
 mod pieces;
 mod pixel;
@@ -20,6 +21,8 @@ mod run;
 mod spans;
 mod value;
 
+use super::labs::Lab;
+use super::lines::rule::Lines;
 use super::rules::Rules;
 
 /// A mistake that students make.
@@ -44,10 +47,26 @@ pub fn all() -> Vec<Mutant> {
     let covered = [pieces::MUTANTS, spans::MUTANTS].concat();
     let values = [value::MUTANTS, carried::MUTANTS, run::MUTANTS].concat();
     let light = [light::MUTANTS, normal::MUTANTS, highlight::MUTANTS].concat();
-    [first, covered, values, light, pixel::MUTANTS.to_vec()].concat()
+    [first, covered, values, light, pixel::MUTANTS.to_vec(), lines::all()].concat()
+}
+
+/// Those that may change a picture of `lab`: where no case has lines, no mistake about lines needs to be tried.
+#[must_use]
+pub fn of(lab: &Lab) -> Vec<Mutant> {
+    let has_lines = lab.aspects.iter().any(|aspect| (aspect.cases)(0).iter().any(|case| case.lines));
+    let mut mutants = all();
+    mutants.retain(|mutant| has_lines || !mutant.is_about_lines());
+    mutants
 }
 
 impl Mutant {
+    /// Whether it changes nothing but lines.
+    #[must_use]
+    pub fn is_about_lines(&self) -> bool {
+        let changed = self.applied_to(&Rules::default());
+        Rules { lines: Lines::RIGHT, ..changed } == Rules::default()
+    }
+
     /// `rules` with this mistake in them as well.
     #[must_use]
     pub fn applied_to(&self, rules: &Rules) -> Rules {
