@@ -3,7 +3,7 @@
 //! cargo run --release --example grading_bank [-- --markdown docs/grading-bank.md] [WORD]
 //!
 //! WORD: only entries whose language, source, slip or lab is that. `--save FILE` keeps what the grader said; `--from FILE` holds it against
-//! the catalogue again, and draws nothing: for when a name was added to the catalogue.
+//! the catalogue again, and draws nothing: for when a name was added to the catalogue. `--held` takes the held-out set instead of the bank.
 
 use std::process::ExitCode;
 
@@ -30,9 +30,10 @@ fn main() -> ExitCode {
 fn run() -> Result<(), String> {
     let mut words: Vec<String> = std::env::args().skip(1).collect();
     let [markdown, save, from] = ["--markdown", "--save", "--from"].map(|option| taken(&mut words, option));
-    let is_asked = |entry: &judge::Entry| words.iter().all(|word| entry.key().contains(word));
-    let (mut entries, mut notices) = (judge::catalogue()?, Vec::new());
-    entries.retain(is_asked);
+    let is_held = words.iter().any(|word| word == "--held");
+    words.retain(|word| word != "--held");
+    let (mut entries, mut notices) = (if is_held { judge::held_out()? } else { judge::catalogue()? }, Vec::new());
+    entries.retain(|entry| words.iter().all(|word| entry.key().contains(word)));
     let graded = match from {
         Some(path) => read(&path, &entries)?,
         None => {

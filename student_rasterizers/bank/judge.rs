@@ -31,6 +31,9 @@ pub struct Entry {
     /// Nothing is wrong with it.
     #[serde(default)]
     pub right: bool,
+    /// Of the held-out set, whose programs stand in `held/`.
+    #[serde(skip)]
+    pub is_held: bool,
 }
 
 #[derive(Deserialize)]
@@ -102,7 +105,18 @@ pub enum Clock {
 
 /// The entries of `bank.toml`.
 pub fn catalogue() -> Result<Vec<Entry>, String> {
-    let path = kept::folder().join("bank.toml");
+    read(&kept::folder().join("bank.toml"))
+}
+
+/// The entries of `held/held.toml`: nobody who improves the grader looks at them.
+#[allow(dead_code, reason = "tests of the bank do not grade them")]
+pub fn held_out() -> Result<Vec<Entry>, String> {
+    let mut entries = read(&kept::folder().join("held/held.toml"))?;
+    entries.iter_mut().for_each(|entry| entry.is_held = true);
+    Ok(entries)
+}
+
+fn read(path: &Path) -> Result<Vec<Entry>, String> {
     let text = std::fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
     let catalogue: Catalogue = toml::from_str(&text).map_err(|error| error.to_string())?;
     Ok(catalogue.entry)
@@ -133,6 +147,10 @@ pub fn grade_all(
 }
 
 fn grade_one(entry: &Entry, (temporary, clock): (&Path, Clock)) -> Result<Report, String> {
+    if entry.is_held {
+        let program = Kept::start(&kept::held_command(entry, temporary)?)?;
+        return Ok(report(entry, &verdict_of(entry, &program, clock)?));
+    }
     let verdict = match entry.language.as_str() {
         "rust" => {
             let none = || format!("there is no source {}", entry.source);

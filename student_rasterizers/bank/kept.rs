@@ -3,6 +3,7 @@
 //! Why not the door `exec:`, which starts a program anew for every picture: a grade draws some hundred, and Python alone needs a
 //! second for twenty starts. `tests/bank_doors.rs` checks that the doors come to the same verdict.
 
+use super::judge::Entry;
 use farop::color::Encoding;
 use farop::grade::Subject;
 use farop::grade::subject::{Answer, Failure};
@@ -129,13 +130,38 @@ pub fn compile_library(source: &str, slip: &str, into: &Path) -> Result<PathBuf,
 }
 
 fn build(source: &str, slip: &str, program: &Path, flags: &[&str]) -> Result<PathBuf, String> {
-    let file = folder().join("c").join(format!("{source}.c"));
+    build_file(&folder().join("c").join(format!("{source}.c")), slip, program, flags)
+}
+
+fn build_file(file: &Path, slip: &str, program: &Path, flags: &[&str]) -> Result<PathBuf, String> {
     let mut cc = Command::new("cc");
     cc.args(["-O1", "-std=c11", "-ffp-contract=off"]).args(flags).arg(format!("-DSLIP_{slip}"));
     cc.arg("-I").arg(folder().join("../other_languages/c")).arg("-o").arg(program).arg(file).arg("-lm");
-    let done = cc.output().map_err(|error| format!("cc: {error}"))?;
-    if done.status.success() {
-        return Ok(program.to_path_buf());
+    done(&mut cc, file).map(|()| program.to_path_buf())
+}
+
+/// Runs a compiler to its end.
+fn done(compiler: &mut Command, file: &Path) -> Result<(), String> {
+    let run = compiler.output().map_err(|error| format!("{}: {error}", compiler.get_program().display()))?;
+    if run.status.success() {
+        return Ok(());
     }
-    Err(format!("{source}, {slip}: {}", String::from_utf8_lossy(&done.stderr)))
+    Err(format!("{}: {}", file.display(), String::from_utf8_lossy(&run.stderr)))
+}
+
+/// How a program of the held-out set is started; what has to be built is built into `into`. Those in Rust are programs of their own, too.
+pub fn held_command(entry: &Entry, into: &Path) -> Result<Vec<OsString>, String> {
+    let (source, slip) = (&entry.source, &entry.slip);
+    let file = |ending: &str| folder().join("held").join(&entry.language).join(format!("{source}.{ending}"));
+    let program = into.join(format!("held-{source}-{slip}-{}", entry.lab));
+    match entry.language.as_str() {
+        "rust" => {
+            let mut rustc = Command::new("rustc");
+            rustc.args(["--edition", "2024", "-O", "-o"]).arg(&program).arg(file("rs"));
+            done(&mut rustc, &file("rs"))?;
+            Ok(vec![program.into(), slip.into()])
+        }
+        "c" => Ok(vec![build_file(&file("c"), slip, &program, &[])?.into()]),
+        _ => Ok(vec!["python3".into(), "-S".into(), "-B".into(), file("py").into(), slip.into()]),
+    }
 }
