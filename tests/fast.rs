@@ -3,15 +3,16 @@
 
 mod support;
 
+use farop::lab::check::random_scenes::{choices, hard};
 use farop::plan::{Choices, Culling, DepthFormat, Interpolation, Shading};
 use farop::raster::fast::{Fast, Instructions};
 use farop::raster::{Frame, Rasterizer, ZBuffer};
 use farop::render::{Canvas, Rendered, draw, render};
 use farop::scene::Scene;
 use farop::spd::Curves;
-use support::built_in::{SMALL, built_in};
+use farop::spd::SMALL;
+use support::built_in::built_in;
 use support::census::{Census, census};
-use support::hard::hard;
 use support::mixed::Mix;
 
 fn drawn(scene: &Scene, choices: &Choices, rasterizer: &dyn Rasterizer) -> Rendered {
@@ -100,7 +101,7 @@ fn random_scenes() {
 #[test]
 fn scenes_made_to_be_hard() {
     for seed in 1..=300 {
-        let (scene, choices) = hard(seed);
+        let (scene, choices) = (hard(seed), choices(seed));
         let (fast, threads) = ways(seed);
         compare(&format!("seed {seed}"), &scene, &Choices { threads, ..choices }, &fast);
     }
@@ -144,7 +145,7 @@ fn owners_and_depths_in_a_target() {
 fn lines_and_too_many_samples_are_handed_over() {
     let scene = Mix { seed: 5, polygons: 9, ..Mix::default() }.scene(40);
     let wire = Choices { shading: Shading::Wire, ..Choices::default() };
-    assert!(compare("wire", &scene, &wire, &Fast::default()).puts.note.is_some_and(|note| note.contains("zbuffer")));
+    assert!(compare("wire", &scene, &wire, &Fast::default()).puts.own.contains_key("lists_handed_to_zbuffer"));
     // No tile up to 256 samples holds whole pixels of 33 x 33: the target averages.
     let many = Choices { samples: 33, threads: Some(2), ..Choices::default() };
     compare("33 x 33", &scene, &many, &Fast::default());
