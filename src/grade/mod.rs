@@ -23,6 +23,7 @@ pub mod light_rules;
 mod lighting;
 mod line_spans;
 pub mod lines;
+pub mod listed;
 pub mod look;
 pub mod mutants;
 pub mod paint;

@@ -119,7 +119,11 @@ fn paint_samples(case: &Case, rules: &Rules) -> Vec<Sample> {
     let mut samples = Vec::new();
     for y in 0..case.height as i32 {
         let outlines = &outlines;
-        let covers = move |x: i32| (0..case.faces.len()).filter(move |&index| outlines[index].covers((x, y), rules));
+        let count = case.faces.len();
+        let covers = move |x: i32| {
+            let listed = (0..count).filter(move |&index| rules.listed.has(index, count));
+            listed.filter(move |&index| outlines[index].covers((x, y), rules))
+        };
         let line = line_spans::stacks(case, rules, y, &covers);
         for x in 0..case.width as i32 {
             let moved = (!right_places).then(|| asked_elsewhere(case, rules, (x, y)));
@@ -134,7 +138,7 @@ fn paint_samples(case: &Case, rules: &Rules) -> Vec<Sample> {
             let rules = moved.as_ref().unwrap_or(rules);
             let color = |index: usize| {
                 let color = face_color(case, index, &corner_values[index], rules, (x, y));
-                rules.face_channels.map(|channel| color[channel])
+                rules.face_tone.of(rules.face_channels.map(|channel| color[channel]))
             };
             samples.push(stack.shown(case, rules, empty(case, rules), color));
         }
@@ -183,38 +187,53 @@ impl Stack {
         let mut stack = Stack { layers: Vec::new(), front: None };
         for index in covering {
             let face = &case.faces[index];
-            let depth = depth(face, rules, (sample, case.samples));
+            let depth = depth(face, rules, (sample, case.samples)).min(rules.capped);
             let wins = match (rules.front, stack.front) {
                 (Front::Last, _) => true,
                 (Front::First, front) => front.is_none(),
-                (Front::Nearest, None) => depth > rules.clear,
+                (Front::Nearest, None) => depth > rules.clear && depth < rules.limit,
                 (Front::Farthest, None) => true,
-                (Front::Nearest, Some((_, old))) => depth > old || (rules.later_wins_ties && depth == old),
+                (Front::Nearest, Some((_, old))) => {
+                    (depth > old + rules.margin && depth < rules.limit) || (rules.later_wins_ties && depth == old)
+                }
                 (Front::Farthest, Some((_, old))) => depth < old,
             };
             stack.layers.push((index, depth, wins));
             let is_clear = face.opacity < 1.0 && rules.blending != Blending::Ignored;
-            if wins && !is_clear {
+            if wins && (!is_clear || rules.blending == Blending::AtOnceKept) {
                 stack.front = Some((index, depth));
             }
         }
         stack
     }
 
+    /// What is there when each face is mixed with what was drawn before it.
+    fn at_once(&self, case: &Case, empty: [f64; 3], color: impl Fn(usize) -> [f64; 3]) -> [f64; 3] {
+        self.layers.iter().filter(|&&(.., wins)| wins).fold(empty, |shown, &(index, ..)| {
+            let (own, opacity) = (color(index), case.faces[index].opacity);
+            [0, 1, 2].map(|channel| own[channel] * opacity + shown[channel] * (1.0 - opacity))
+        })
+    }
+
     fn shown(&self, case: &Case, rules: &Rules, empty: Sample, color: impl Fn(usize) -> [f64; 3]) -> Sample {
+        if matches!(rules.blending, Blending::AtOnce | Blending::AtOnceKept) {
+            let color = self.at_once(case, empty.color, color);
+            return Sample { color, front: self.front.map(|(index, _)| index), disputed: self.is_disputed(case) };
+        }
         let mut shown = self.front.map_or(empty.color, |(index, _)| color(index));
         let behind = self.front.map_or(f64::NEG_INFINITY, |(_, depth)| depth);
-        let is_clear =
-            |&&(index, depth, wins): &&(usize, f64, bool)| wins && case.faces[index].opacity < 1.0 && depth > behind;
+        let is_clear = |&&(index, depth, wins): &&(usize, f64, bool)| {
+            case.faces[index].opacity < 1.0 && (rules.blending == Blending::Everywhere || (wins && depth > behind))
+        };
         let mut clear: Vec<_> = self.layers.iter().filter(is_clear).collect();
         match rules.blending {
-            Blending::Ignored | Blending::Invisible => clear.clear(),
+            Blending::Ignored | Blending::Invisible | Blending::AtOnce | Blending::AtOnceKept => clear.clear(),
             // A stable sort keeps ties in list order; the farthest is blended first.
             Blending::Over | Blending::Swapped => {
                 clear.sort_by(|a, b| b.1.total_cmp(&a.1));
                 clear.reverse();
             }
-            Blending::ListOrder => {}
+            Blending::ListOrder | Blending::Everywhere => {}
         }
         for &&(index, ..) in &clear {
             let opacity = case.faces[index].opacity;
@@ -258,7 +277,11 @@ fn depth(face: &Face, rules: &Rules, (sample, samples): ((i32, i32), u32)) -> f6
         DepthFrom::FirstCorner => face.inverse_w_at(face.corners[0]),
         DepthFrom::NearestCorner => depths().fold(0.0, f64::max),
         DepthFrom::MeanCorner => depths().sum::<f64>() / face.corners.len() as f64,
+        DepthFrom::Steps(steps) => (face.inverse_w_at(point(sample, rules)) * steps).floor() / steps,
+        DepthFrom::RoundSteps(steps) => (face.inverse_w_at(point(sample, rules)) * steps).round() / steps,
         DepthFrom::Whole => face.inverse_w_at(point(sample, rules)).floor(),
+        // What faces the viewer has one depth, to the last digit.
+        DepthFrom::LinearW if face.inverse_w[..2] == [0.0, 0.0] => face.inverse_w[2],
         DepthFrom::LinearW => {
             let weights = values::weights(face, point(sample, rules));
             1.0 / (0..3).map(|corner| weights[corner] / face.inverse_w_at(face.corners[corner])).sum::<f64>()
@@ -303,7 +326,7 @@ fn pixel(samples: &[Sample], rules: &Rules, mixed: Option<[f64; 3]>) -> ([u8; 3]
     let side = (samples.len() as f64).sqrt() as usize;
     let shown: Vec<pixels::Shown> = samples.iter().map(|sample| (sample.color, sample.front)).collect();
     let color = mixed.unwrap_or_else(|| pixels::light(&shown, side, rules.pixel));
-    let color = rules.channels.map(|channel| color[channel]);
+    let color = rules.tone.of(rules.channels.map(|channel| color[channel]));
     (
         color.map(|light| level(light, -LEVEL_BAND, rules.levels)),
         color.map(|light| level(light, LEVEL_BAND, rules.levels)),
@@ -317,6 +340,11 @@ fn level(light: f64, band: f64, levels: Levels) -> u8 {
         Levels::Down => (light * 255.0 + band).floor(),
         Levels::Times256 => (light * 256.0 + band).floor(),
         Levels::Unscaled => light.floor(),
+        Levels::Up => (light * 255.0 + band).ceil(),
+        // Above 255 it starts again.
+        Levels::Wraps => (light * 256.0 + band).round() % 256.0,
+        Levels::Of(steps) => ((light * steps + band * steps / 255.0).round() * 255.0 / steps).round(),
+        Levels::Scaled(steps) => (light * steps + band).round(),
         Levels::Squared => (light * light * 255.0 + band).round(),
         Levels::Gamma22 => (pow(light, 1.0 / 2.2) * 255.0 + band).round(),
         Levels::Srgb => {

@@ -6,6 +6,7 @@
 
 use super::light_rules::LightRules;
 use super::lines::rule::Lines;
+use super::listed::{Listed, Tone};
 pub use super::pixel_rules::{Count, Part, PixelFrom, SampleAt};
 use super::runs::RunRule;
 use super::scan::Scan;
@@ -43,6 +44,12 @@ pub struct Rules {
     pub depth: DepthFrom,
     /// 1/w that the depth memory starts with: what is not nearer is not shown.
     pub clear: f64,
+    /// What is nearer than this is never shown.
+    pub limit: f64,
+    /// Depths are cut to this before anything else.
+    pub capped: f64,
+    /// By how much a face must be nearer than what is there.
+    pub margin: f64,
     /// Of equal depths the later one wins.
     pub later_wins_ties: bool,
     /// How values get from corners to samples.
@@ -59,6 +66,12 @@ pub struct Rules {
     pub channels: [usize; 3],
     /// The same of the polygons alone: the background stays as it is.
     pub face_channels: [usize; 3],
+    /// What becomes of colors.
+    pub tone: Tone,
+    /// The same of the polygons alone.
+    pub face_tone: Tone,
+    /// Which polygons are drawn.
+    pub listed: Listed,
     /// From light to 0..255.
     pub levels: Levels,
     /// What transparency does.
@@ -367,6 +380,10 @@ pub enum DepthFrom {
     LinearW,
     /// 1/w cut to a whole number.
     Whole,
+    /// 1/w cut down to so many steps a unit.
+    Steps(f64),
+    /// 1/w rounded to so many steps a unit.
+    RoundSteps(f64),
     /// Along edges, then along rows.
     Runs(RunRule),
 }
@@ -482,7 +499,7 @@ pub enum OverW {
 }
 
 /// From light to a level.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Levels {
     /// round(255 c).
     Round,
@@ -498,6 +515,14 @@ pub enum Levels {
     Unscaled,
     /// round(255 c c).
     Squared,
+    /// Up to the next.
+    Up,
+    /// round(256 c), and 256 is 0.
+    Wraps,
+    /// round(n c) of n, brought to 255.
+    Of(f64),
+    /// round(n c).
+    Scaled(f64),
 }
 
 /// What transparency does.
@@ -513,6 +538,12 @@ pub enum Blending {
     Swapped,
     /// In the order of the list.
     ListOrder,
+    /// Each with what has been drawn so far.
+    AtOnce,
+    /// The same, and glass hides what comes later behind it.
+    AtOnceKept,
+    /// Also what is behind the opaque face.
+    Everywhere,
 }
 
 impl Default for Rules {
@@ -534,6 +565,9 @@ impl Default for Rules {
             front: Front::Nearest,
             depth: DepthFrom::Plane,
             clear: 0.0,
+            limit: f64::INFINITY,
+            capped: f64::INFINITY,
+            margin: 0.0,
             later_wins_ties: false,
             values: Interpolation::Perspective,
             spares_constants: false,
@@ -542,6 +576,9 @@ impl Default for Rules {
             over_w: OverW::Stays,
             channels: [0, 1, 2],
             face_channels: [0, 1, 2],
+            tone: Tone::Own,
+            face_tone: Tone::Own,
+            listed: Listed::All,
             levels: Levels::Round,
             blending: Blending::Over,
             background: None,

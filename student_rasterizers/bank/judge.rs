@@ -117,7 +117,7 @@ pub fn held_out() -> Result<Vec<Entry>, String> {
 }
 
 fn read(path: &Path) -> Result<Vec<Entry>, String> {
-    let text = std::fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
+    let text = std::fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))?;
     let catalogue: Catalogue = toml::from_str(&text).map_err(|error| error.to_string())?;
     Ok(catalogue.entry)
 }

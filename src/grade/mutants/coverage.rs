@@ -241,6 +241,18 @@ pub(super) const MUTANTS: &[Mutant] = &[
     mutant(SIDES_SHARED, |rules| (rules.ties, rules.pieces) = (sides(true, true, true, false), FAN)),
     mutant(NO_TIES, |rules| (rules.ties, rules.pieces) = (Ties::Nobody, FAN)),
     mutant(ALL_TIES, |rules| (rules.ties, rules.pieces) = (Ties::All, FAN)),
+    // A triangle without area has no inside for most who divide by it.
+    mutant(LEVEL_SHARED, |rules| (rules.ties, rules.least_area) = (sides(true, false, true, true), 1e-9)),
+    mutant(LEVEL_SHARED, |rules| (rules.ties, rules.least_area) = (sides(false, true, true, true), 1e-9)),
+    mutant(SIDES_SHARED, |rules| (rules.ties, rules.least_area) = (sides(true, true, true, false), 1e-9)),
+    mutant(SIDES_SHARED, |rules| (rules.ties, rules.least_area) = (sides(true, true, false, true), 1e-9)),
+    mutant(LEVEL_SHARED, |rules| {
+        (rules.ties, rules.pieces, rules.least_area) = (sides(true, false, true, true), FAN, 1e-9)
+    }),
+    mutant(SIDES_SHARED, |rules| {
+        (rules.ties, rules.pieces, rules.least_area) = (sides(true, true, true, false), FAN, 1e-9)
+    }),
+    mutant(ALL_TIES, |rules| (rules.ties, rules.pieces, rules.least_area) = (Ties::All, FAN, 1e-9)),
     mutant(WINDING, |rules| (rules.winding, rules.pieces) = (Winding::Clockwise, FAN)),
     mutant(WINDING, |rules| (rules.winding, rules.pieces) = (Winding::CounterClockwise, FAN)),
     mutant(NARROW, |rules| rules.fill = Fill::Narrow(256)),

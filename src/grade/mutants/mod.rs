@@ -14,6 +14,7 @@ mod drawing;
 mod highlight;
 mod light;
 mod lines;
+mod list;
 mod normal;
 mod pieces;
 mod pixel;
@@ -44,7 +45,7 @@ pub struct Mutant {
 #[must_use]
 pub fn all() -> Vec<Mutant> {
     let first = [coverage::MUTANTS, depth::MUTANTS, color::MUTANTS, drawing::MUTANTS].concat();
-    let covered = [pieces::MUTANTS, spans::MUTANTS].concat();
+    let covered = [pieces::MUTANTS, spans::MUTANTS, list::MUTANTS].concat();
     let values = [value::MUTANTS, carried::MUTANTS, run::MUTANTS].concat();
     let light = [light::MUTANTS, normal::MUTANTS, highlight::MUTANTS].concat();
     [first, covered, values, light, pixel::MUTANTS.to_vec(), lines::all()].concat()

@@ -205,9 +205,9 @@ fn neighbors(seed: u64) -> Vec<Case> {
     let mut cases = Vec::new();
     while cases.len() < 24 {
         let corners: Vec<_> = (0..3).map(|_| random.corner()).collect();
-        let apex = Some(random.corner());
-        let case = Case { corners, apex, ..case(Asks::Neighbor, &[]) };
-        let other = Case { corners: vec![case.corners[1], case.corners[0], apex.unwrap_or_default()], ..case.clone() };
+        let apex = random.corner();
+        let case = Case { corners, apex: Some(apex), ..case(Asks::Neighbor, &[]) };
+        let other = Case { corners: vec![case.corners[1], case.corners[0], apex], ..case.clone() };
         // Both have some area inside, and the edge is cut.
         let has_area = |case: &Case| super::exact::doubled_area(case).iter().any(|area| area.abs() > 1.0);
         let volume = case.volume();

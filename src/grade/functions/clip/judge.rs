@@ -170,7 +170,9 @@ fn attributes(case: &Case, answer: &[ClipVertex]) -> Option<String> {
     let near = 16.0 * NEAR * case.size();
     answer.iter().enumerate().find_map(|(corner, vertex)| {
         let right = attributes_at(vertex.position);
-        let off = (0..ATTRIBUTES).find(|&number| !((vertex.attributes[number] - right[number]).abs() <= near))?;
+        // What is not a number is off, too.
+        let is_near = |&number: &usize| (vertex.attributes[number] - right[number]).abs() <= near;
+        let off = (0..ATTRIBUTES).find(|number| !is_near(number))?;
         Some(format!(
             "corner {corner}, {}: attribute {off} is {}, not {}",
             place(vertex.position),
