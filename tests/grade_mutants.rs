@@ -20,7 +20,7 @@ fn confused(lab: &str, is_ours: fn(&Rules, &Rules) -> bool) -> (usize, Vec<Strin
     let draw = |rules: &Rules| cases.iter().map(|case| paint(case, rules)).collect::<Vec<_>>();
     let right = Rules::default();
     let contract = draw(&right);
-    let all: Vec<(Mutant, Rules, Vec<Painted>)> = mutants::all()
+    let all: Vec<(Mutant, Rules, Vec<Painted>)> = mutants::of(lab)
         .into_iter()
         .map(|mutant| (mutant, mutant.applied_to(&right)))
         .map(|(mutant, rules)| (mutant, rules.clone(), draw(&rules)))

@@ -1,4 +1,4 @@
-//! Listed: which faces of a list are drawn, and what becomes of colors on the way to a channel.
+//! Listed: which faces of a list are drawn, and what becomes of colors and glass on the way to a level.
 //!
 //! Slips of loops and of channel arithmetic, one variant each; the contract is the first of every list.
 
@@ -45,8 +45,6 @@ pub enum Tone {
     Luma,
     /// 1 - c.
     Inverted,
-    /// Half of it.
-    Halved,
     /// Only this channel is left, the others are 0.
     Only(usize),
     /// This channel is 0.
@@ -63,9 +61,56 @@ impl Tone {
             Tone::Mean => [(r + g + b) / 3.0; 3],
             Tone::Luma => [0.299 * r + 0.587 * g + 0.114 * b; 3],
             Tone::Inverted => color.map(|light| 1.0 - light),
-            Tone::Halved => color.map(|light| light / 2.0),
             Tone::Only(channel) => [0, 1, 2].map(|at: usize| if at == channel { color[at] } else { 0.0 }),
             Tone::Without(channel) => [0, 1, 2].map(|at: usize| if at == channel { 0.0 } else { color[at] }),
         }
     }
+}
+
+/// From light to a level.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Levels {
+    /// round(255 c).
+    Round,
+    /// floor(255 c).
+    Down,
+    /// floor(256 c).
+    Times256,
+    /// The curve of sRGB.
+    Srgb,
+    /// The power 1/2.2.
+    Gamma22,
+    /// floor(c).
+    Unscaled,
+    /// round(255 c c).
+    Squared,
+    /// Up to the next.
+    Up,
+    /// round(256 c), and 256 is 0.
+    Wraps,
+    /// round(n c) of n, brought to 255.
+    Of(f64),
+    /// round(n c).
+    Scaled(f64),
+}
+
+/// What transparency does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Blending {
+    /// The farthest first, each over what is behind.
+    Over,
+    /// Everything is opaque.
+    Ignored,
+    /// Transparent faces are not drawn.
+    Invisible,
+    /// Opacity is taken for transparency.
+    Swapped,
+    /// In the order of the list.
+    ListOrder,
+    /// Each with what has been drawn so far.
+    AtOnce,
+    /// The same, and glass hides what comes later behind it.
+    AtOnceKept,
+    /// Also what is behind the opaque face.
+    Everywhere,
 }

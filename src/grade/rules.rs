@@ -6,6 +6,7 @@
 
 use super::light_rules::LightRules;
 use super::lines::rule::Lines;
+pub use super::listed::{Blending, Levels};
 use super::listed::{Listed, Tone};
 pub use super::pixel_rules::{Count, Part, PixelFrom, SampleAt};
 use super::runs::RunRule;
@@ -496,54 +497,6 @@ pub enum OverW {
     WithValue,
     /// So is the 1/w that it is divided by.
     WithDivisor,
-}
-
-/// From light to a level.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Levels {
-    /// round(255 c).
-    Round,
-    /// floor(255 c).
-    Down,
-    /// floor(256 c).
-    Times256,
-    /// The curve of sRGB.
-    Srgb,
-    /// The power 1/2.2.
-    Gamma22,
-    /// floor(c).
-    Unscaled,
-    /// round(255 c c).
-    Squared,
-    /// Up to the next.
-    Up,
-    /// round(256 c), and 256 is 0.
-    Wraps,
-    /// round(n c) of n, brought to 255.
-    Of(f64),
-    /// round(n c).
-    Scaled(f64),
-}
-
-/// What transparency does.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Blending {
-    /// The farthest first, each over what is behind.
-    Over,
-    /// Everything is opaque.
-    Ignored,
-    /// Transparent faces are not drawn.
-    Invisible,
-    /// Opacity is taken for transparency.
-    Swapped,
-    /// In the order of the list.
-    ListOrder,
-    /// Each with what has been drawn so far.
-    AtOnce,
-    /// The same, and glass hides what comes later behind it.
-    AtOnceKept,
-    /// Also what is behind the opaque face.
-    Everywhere,
 }
 
 impl Default for Rules {

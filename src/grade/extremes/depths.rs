@@ -46,7 +46,7 @@ fn pairs(depths: &[(f64, f64)]) -> DrawList {
     for (row, &(far, near)) in depths.iter().enumerate() {
         let y = 10.0 * row as f64;
         for (x, [first, second]) in [(0.0, [far, near]), (10.0, [near, far])] {
-            push(&mut list, &[(x + 0.25, y + 0.75), (x + 9.25, y + 1.25), (x + 3.25, y + 9.75)], first);
+            push(&mut list, &[(x + 0.25, y + 0.75), (x + 9.25, y + 1.25), (x + 3.25, y + 9.5)], first);
             push(&mut list, &[(x + 1.25, y + 9.25), (x + 2.75, y + 0.25), (x + 9.75, y + 7.25)], second);
         }
     }

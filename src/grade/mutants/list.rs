@@ -35,7 +35,6 @@ const GRAY: [&str; 4] =
 const CHANNEL: [&str; 4] =
     ["a channel lost", "A channel is always 0.", "Red, green and blue are all written, in this order.", PAGE];
 const INVERTED: [&str; 4] = ["colors inverted", "1 - c is written for c.", "0 is dark, 1 is bright.", PAGE];
-const HALVED: [&str; 4] = ["colors halved", "Half of every level is written.", "A level is round(255 c).", PAGE];
 const STEPPED: [&str; 4] =
     ["levels in other steps", "Levels are counted in other steps than 255.", "A level is round(255 c).", PAGE];
 const BACKGROUND: [&str; 4] = [
@@ -133,8 +132,6 @@ pub(super) const MUTANTS: &[Mutant] = &[
     ),
     mutant(INVERTED, |rules| rules.tone = Tone::Inverted),
     mutant(INVERTED, |rules| rules.face_tone = Tone::Inverted),
-    mutant(HALVED, |rules| rules.tone = Tone::Halved),
-    mutant(HALVED, |rules| rules.face_tone = Tone::Halved),
     mutant(
         ["levels rounded up", "Levels are rounded up.", "A level is round(255 c): the nearest one.", PAGE],
         |rules| rules.levels = Levels::Up,

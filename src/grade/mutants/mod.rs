@@ -24,7 +24,7 @@ mod value;
 
 use super::labs::Lab;
 use super::lines::rule::Lines;
-use super::rules::Rules;
+use super::rules::{DepthFrom, Rules};
 
 /// A mistake that students make.
 #[derive(Clone, Copy, Debug)]
@@ -51,12 +51,14 @@ pub fn all() -> Vec<Mutant> {
     [first, covered, values, light, pixel::MUTANTS.to_vec(), lines::all()].concat()
 }
 
-/// Those that may change a picture of `lab`: where no case has lines, no mistake about lines needs to be tried.
+/// Those that may change a picture of `lab`: where no case has lines, no mistake about lines needs to be tried; where no aspect is about
+/// near and far, none of how depth is kept and compared.
 #[must_use]
 pub fn of(lab: &Lab) -> Vec<Mutant> {
     let has_lines = lab.aspects.iter().any(|aspect| (aspect.cases)(0).iter().any(|case| case.lines));
     let mut mutants = all();
-    mutants.retain(|mutant| has_lines || !mutant.is_about_lines());
+    let has_range = lab.aspects.iter().any(|aspect| aspect.name == "depth range");
+    mutants.retain(|mutant| (has_lines || !mutant.is_about_lines()) && (has_range || !mutant.is_about_range()));
     mutants
 }
 
@@ -66,6 +68,15 @@ impl Mutant {
     pub fn is_about_lines(&self) -> bool {
         let changed = self.applied_to(&Rules::default());
         Rules { lines: Lines::RIGHT, ..changed } == Rules::default()
+    }
+
+    /// Whether it is about the numbers that depth is kept in, or what it is held against.
+    #[must_use]
+    pub fn is_about_range(&self) -> bool {
+        let (changed, right) = (self.applied_to(&Rules::default()), Rules::default());
+        let is_kept_in_steps = matches!(changed.depth, DepthFrom::Steps(_) | DepthFrom::RoundSteps(_));
+        let numbers = |rules: &Rules| [rules.margin, rules.limit, rules.capped];
+        is_kept_in_steps || numbers(&changed) != numbers(&right)
     }
 
     /// `rules` with this mistake in them as well.
