@@ -3,7 +3,8 @@
 use farop::grade::labs;
 use farop::grade::mutants::{self, Mutant};
 use farop::grade::paint::{Painted, paint};
-use farop::grade::rules::Rules;
+use farop::grade::rules::{Fill, Rules};
+use farop::grade::scan::Scan;
 
 /// Wrong pixels of what `drawn` shows, by what is allowed.
 fn wrong(drawn: &[Painted], allowed: &[Painted]) -> usize {
@@ -79,4 +80,30 @@ fn mistakes_of_pixels_are_told_apart() {
     assert_told_apart("supersampling", 90, |rules, right| {
         rules.pixel != right.pixel || rules.sample_at != right.sample_at || rules.depth_at != right.depth_at
     });
+}
+
+/// Screen files say coordinates in 256ths: what `farop suite` writes must be read again.
+#[test]
+fn corners_of_all_cases_lie_on_the_grid() {
+    for lab in labs::LABS {
+        for aspect in lab.aspects {
+            for case in (aspect.cases)(1) {
+                let corners = case.faces.iter().flat_map(|face| &face.corners);
+                let off: Vec<_> =
+                    corners.filter(|(x, y)| (x * 256.0).fract() != 0.0 || (y * 256.0).fract() != 0.0).collect();
+                assert!(off.is_empty(), "{}, {}: {off:?}", lab.name, case.name);
+            }
+        }
+    }
+}
+
+/// Without a slip, an edge table covers what the contract says.
+#[test]
+fn the_right_scan_is_the_contract() {
+    let by_lines = Rules { fill: Fill::Scan(Scan::RIGHT), ..Rules::default() };
+    for aspect in labs::find("watkins").expect("a lab").aspects {
+        for case in (1..4).flat_map(aspect.cases) {
+            assert_eq!(paint(&case, &by_lines), paint(&case, &Rules::default()), "{}", case.name);
+        }
+    }
 }

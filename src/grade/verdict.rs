@@ -165,6 +165,17 @@ pub struct Verdict {
 }
 
 impl Verdict {
+    /// Nothing asked yet.
+    pub(super) fn blank(request: &Request<'_>) -> Verdict {
+        let aspects = request.lab.aspects.iter();
+        Verdict {
+            lab: request.lab.name,
+            subject: request.name.clone(),
+            aspects: aspects.map(|aspect| AspectVerdict::blank(aspect, (request.points)(aspect))).collect(),
+            ..Verdict::default()
+        }
+    }
+
     /// Points earned.
     #[must_use]
     pub fn earned(&self) -> f64 {
@@ -199,17 +210,7 @@ pub struct Request<'a> {
 /// Grades `subject`; `progress` gets the verdict so far after every picture.
 pub fn grade(subject: &dyn Subject, request: &Request<'_>, progress: &mut dyn FnMut(&Verdict)) -> Verdict {
     let start = Instant::now();
-    let mut verdict = Verdict {
-        lab: request.lab.name,
-        subject: request.name.clone(),
-        aspects: request
-            .lab
-            .aspects
-            .iter()
-            .map(|aspect| AspectVerdict::blank(aspect, (request.points)(aspect)))
-            .collect(),
-        ..Verdict::default()
-    };
+    let mut verdict = Verdict::blank(request);
     for (index, aspect) in request.lab.aspects.iter().enumerate() {
         for (case, answer) in drawn(subject, (aspect.cases)(request.seed)) {
             let shot = shoot(subject, case, answer, aspect.watch);

@@ -15,7 +15,11 @@ fn sampled(name: &str, samples: u32, faces: Vec<Face>) -> Case {
 #[must_use]
 pub fn samples(_: u64) -> Vec<Case> {
     let edge = |side: f64| {
-        vec![Face::flat(&[(0.25, 0.25), (side - 0.5, side / 3.0 + 0.125), (side / 4.0, side - 0.25)], 0.5, WHITE)]
+        vec![Face::flat(
+            &[(0.25, 0.25), (side - 0.5, side * 85.0 / 256.0 + 0.125), (side / 4.0, side - 0.25)],
+            0.5,
+            WHITE,
+        )]
     };
     let abutting = vec![
         Face::flat(&[(0.0, 0.0), (19.25, 0.0), (12.25, 32.0), (0.0, 32.0)], 0.5, WHITE),

@@ -97,17 +97,7 @@ pub fn grade_triangulate(
 
 fn run<E: Exercise>(exercise: &E, request: &Request<'_>, progress: &mut dyn FnMut(&Verdict)) -> Verdict {
     let start = Instant::now();
-    let mut verdict = Verdict {
-        lab: request.lab.name,
-        subject: request.name.clone(),
-        aspects: request
-            .lab
-            .aspects
-            .iter()
-            .map(|aspect| AspectVerdict::blank(aspect, (request.points)(aspect)))
-            .collect(),
-        ..Verdict::default()
-    };
+    let mut verdict = Verdict::blank(request);
     let mut asked: Vec<Vec<Asked<E>>> = Vec::new();
     for (Aspect { name, .. }, now) in request.lab.aspects.iter().zip(0..) {
         let answers: Vec<_> =
