@@ -4,11 +4,12 @@ use super::error::{self, CliError};
 use super::options::PictureOptions;
 use super::raster::read_screen_file;
 use super::scenes::{Chosen, SceneOptions, as_rasterizer, check_drawn, find_rasterizer};
-use crate::color::{Encoding, Rgb};
+use crate::color::Encoding;
 use crate::grade::look::{Resembles, Sight, look};
 use crate::image::Image;
 use crate::raster::{Rasterizer, Registry, ZBuffer};
-use crate::render::{self, Canvas, why};
+use crate::render::why::Asked;
+use crate::render::{self, Canvas};
 use crate::scene::Scene;
 use crate::screen::DrawList;
 use crate::screen::file::ReadOptions;
@@ -57,16 +58,15 @@ impl WhyCommand {
         for number in 0..samples * samples {
             let (x, y) = (self.pixel.0 * samples + number % samples, self.pixel.1 * samples + number / samples);
             let sample = (x as i32, y as i32);
-            // Writing to a String cannot fail.
-            let _ = subject.sample(sample, rasterizer, &mut text);
+            text += &subject.asked().sample(sample, rasterizer);
             if let Some((drawn, right)) = &pictures {
                 if outside {
                     let light = drawn.pixel(x as usize, y as usize);
-                    text += &format!("  {} drew color {}\n", self.rasterizer, subject.levels(light));
+                    text += &format!("  {} drew color {}\n", self.rasterizer, subject.asked().levels(light));
                 }
                 let background = subject.canvas.background.to_f64().to_array();
                 if let Some(sight) = look(&subject.list, (drawn, right), background, sample) {
-                    let colors = [drawn, right].map(|image| subject.levels(image.pixel(x as usize, y as usize)));
+                    let colors = [drawn, right].map(|image| subject.asked().levels(image.pixel(x as usize, y as usize)));
                     let _ = said(&sight, &colors, &mut text);
                 }
             }
@@ -157,63 +157,7 @@ struct Subject {
 }
 
 impl Subject {
-    fn sample(&self, sample: (i32, i32), rasterizer: Option<&dyn Rasterizer>, text: &mut String) -> std::fmt::Result {
-        let explanation = why::explain(&self.list, sample.0, sample.1);
-        let center = (f64::from(sample.0) + 0.5, f64::from(sample.1) + 0.5);
-        writeln!(text, "sample {},{} (center {}, {})", sample.0, sample.1, center.0, center.1)?;
-        for candidate in &explanation.candidates {
-            self.candidate(candidate, text)?;
-        }
-        match explanation.winner {
-            Some(index) => {
-                writeln!(text, "  shown: polygon {}: {}", explanation.candidates[index].polygon, explanation.rule)?
-            }
-            None => writeln!(text, "  {}", explanation.rule)?,
-        }
-        if let Some(rasterizer) = rasterizer {
-            self.drawn(sample, rasterizer, &explanation, text)?;
-        }
-        Ok(())
-    }
-
-    fn candidate(&self, candidate: &why::Candidate, text: &mut String) -> std::fmt::Result {
-        let surface = &self.list.shader.surfaces[candidate.surface as usize];
-        let line = crate::scene::Place { line: candidate.source.line, ..surface.place };
-        let place = self.scene.as_ref().map_or(String::new(), |scene| format!(", {}", scene.describe(line)));
-        let piece = if candidate.source.tessellated { " (piece of a shape)" } else { "" };
-        let depth = self.list.depth_in_scene_units(candidate.depth);
-        let color = self.levels(candidate.color);
-        write!(text, "  polygon {}{place}{piece}: depth {depth}, color {color}", candidate.polygon)?;
-        if candidate.opacity != Rgb::gray(1.0) {
-            write!(text, ", opacity {:?}", candidate.opacity.to_array())?;
-        }
-        writeln!(text)?;
-        let edge = |(number, value): (usize, &f64)| {
-            let through = if *value == 0.0 { " (through the center: the tie rule decides)" } else { "" };
-            format!("{number}: {value}{through}")
-        };
-        let edges: Vec<_> = candidate.edges.iter().enumerate().map(edge).collect();
-        writeln!(text, "    edges {}", edges.join(", "))
-    }
-
-    fn drawn(
-        &self,
-        sample: (i32, i32),
-        rasterizer: &dyn Rasterizer,
-        explanation: &why::Explanation,
-        text: &mut String,
-    ) -> std::fmt::Result {
-        let Some(drawn) = why::drawn(&self.list, rasterizer, &self.canvas, sample) else { return Ok(()) };
-        let expected = explanation.winner.map(|index| explanation.candidates[index].polygon);
-        let depth = self.list.depth_in_scene_units(drawn.depth);
-        let what =
-            drawn.polygon.map_or("nothing opaque".to_string(), |polygon| format!("polygon {polygon} at depth {depth}"));
-        let verdict = if drawn.polygon == expected { "as the rules say" } else { "NOT what the rules say" };
-        writeln!(text, "  the rasterizer put {what}, {verdict}; color {}", self.levels(drawn.color))
-    }
-
-    fn levels(&self, color: Rgb<f32>) -> String {
-        let [r, g, b] = color.to_array().map(|light| self.encoding.level(light));
-        format!("{r} {g} {b}")
+    fn asked(&self) -> Asked<'_> {
+        Asked { list: &self.list, scene: self.scene.as_ref(), canvas: self.canvas, encoding: self.encoding }
     }
 }

@@ -5,6 +5,10 @@
 //! Everything here is asked of the list and decided by the contract's rules, not read from a picture: so it can be held
 //! against what a rasterizer drew.
 
+mod tell;
+
+pub use tell::Asked;
+
 use super::Canvas;
 use crate::color::Rgb;
 use crate::math::edges;

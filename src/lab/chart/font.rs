@@ -1,13 +1,15 @@
-//! Font: letters of 5 x 7 pixels, drawn by hand for this chart; two more rows hang below the base line.
+//! Font: letters of 5 x 7 pixels, drawn by hand for charts and for the window; two more rows hang below the base line.
 
 /// Pixels of a letter across.
-pub(super) const WIDTH: usize = 5;
+pub const WIDTH: usize = 5;
 /// From one letter to the next.
-pub(super) const ADVANCE: usize = 6;
-const HEIGHT: usize = 9;
+pub const ADVANCE: usize = 6;
+/// Rows of a letter.
+pub const HEIGHT: usize = 9;
 
 /// The rows of a letter from the top, the leftmost pixel in the highest of 5 bits; blank for letters that are not there.
-pub(super) fn rows(letter: char) -> [u8; HEIGHT] {
+#[must_use]
+pub fn rows(letter: char) -> [u8; HEIGHT] {
     let bits = GLYPHS.iter().find(|glyph| glyph.0 == letter).map_or(0, |glyph| glyph.1);
     std::array::from_fn(|row| (bits >> (WIDTH * (HEIGHT - 1 - row)) & 0x1F) as u8)
 }
@@ -34,6 +36,12 @@ const GLYPHS: &[(char, u64)] = &[
     (':', 0x0063_00c6_0000), ('/', 0x0108_8888_4000), ('-', 0x0000_3e00_0000), ('+', 0x0021_3e42_0000),
     ('(', 0x0222_1082_0800), (')', 0x0820_8422_2000), ('=', 0x0007_c1f0_0000), ('_', 0x0000_0000_03e0),
     ('%', 0x19d0_8885_cc00),
+    ('!', 0x0421_0840_1000), ('"', 0x0a52_8000_0000), ('#', 0x0a57_d5f5_2800), ('$', 0x047d_1c5f_1000),
+    ('&', 0x0c95_1159_3400), ('\'', 0x0421_0000_0000), ('*', 0x0025_5d52_0000), (';', 0x0063_00c2_2000),
+    ('<', 0x0222_2082_0800), ('>', 0x0820_8222_2000), ('?', 0x0e88_4440_1000), ('@', 0x0e8d_eb68_3800),
+    ('[', 0x0e42_1084_3800), ('\\', 0x0082_0820_8000), (']', 0x0e10_8421_3800), ('^', 0x0454_4000_0000),
+    ('`', 0x0820_0000_0000), ('{', 0x0321_1042_0c00), ('|', 0x0421_0842_1000), ('}', 0x1821_0442_6000),
+    ('~', 0x0002_2a20_0000),
 ];
 
 #[cfg(test)]
@@ -41,11 +49,19 @@ mod tests {
     use super::rows;
 
     #[test]
+    fn every_printable_letter_of_ascii_is_there_and_like_no_other() {
+        let mut seen = std::collections::BTreeSet::new();
+        for letter in (b'!'..=b'~').map(char::from) {
+            assert!(rows(letter) != [0; 9] && seen.insert(rows(letter)), "{letter}");
+        }
+    }
+
+    #[test]
     fn a_letter_is_what_it_looks_like() {
         let shown: Vec<String> =
             rows('p').iter().map(|row| format!("{row:05b}").replace('0', ".").replace('1', "#")).collect();
         let drawn = [".....", ".....", "####.", "#...#", "#...#", "#...#", "####.", "#....", "#...."];
         assert_eq!(shown, drawn);
-        assert_eq!(rows('~'), [0; 9]);
+        assert_eq!(rows('\u{e9}'), [0; 9]);
     }
 }

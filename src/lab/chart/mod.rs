@@ -9,7 +9,7 @@
 //! Space: pixels of the chart, x right, y down. A panel is laid out as marks first, so that SVG and PNG show the same.
 
 mod axis;
-mod font;
+pub mod font;
 mod label;
 mod png;
 mod svg;
