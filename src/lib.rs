@@ -24,6 +24,7 @@
 //! | [`render`] | the driver; why a sample shows what it shows |
 //! | [`lab`] | how accurate all this is, and what more would cost, measured |
 //! | [`grade`] | probes that find a rasterizer's mistakes |
+//! | [`view`] | what the window shows, without a window |
 //! | [`cli`] | the command line |
 //!
 //! `docs/tour.md` follows one polygon through all of them.
@@ -46,6 +47,7 @@ pub mod report;
 pub mod scene;
 pub mod screen;
 pub mod spd;
+pub mod view;
 pub mod write;
 
 pub use self::image::snapshot;

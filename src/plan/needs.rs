@@ -43,7 +43,8 @@ impl ClipPlane {
     }
 
     /// Signed distance of an eye-space point, in no particular unit: 0 on the plane, above 0 inside.
-    fn distance(self, eye: Vec3, view: &View) -> f64 {
+    #[must_use]
+    pub fn distance(self, eye: Vec3, view: &View) -> f64 {
         let (kx, ky) = view.clip_from_eye();
         match self {
             ClipPlane::Hither => eye.z - view.hither,
