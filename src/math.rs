@@ -62,7 +62,7 @@ pub fn unit(v: Vec3) -> Option<Vec3> {
 
 /// The largest power of two that is not above `x`; `x` is positive. Scaling by it rounds nothing.
 #[inline]
-fn power_of_two_below(x: f64) -> f64 {
+pub(crate) fn power_of_two_below(x: f64) -> f64 {
     // 1 / subnormal is infinite: the largest power of two there is will do.
     if x.is_infinite() {
         return f64::from_bits(0x7FE0_0000_0000_0000);

@@ -7,8 +7,9 @@
 //! Cost: one square root for a point light, none for a directional one; a soft spot adds one cosine.
 
 use crate::color::Rgb;
-use crate::math::{PI, Vec3, cos, unit};
+use crate::math::{PI, Vec3, cos};
 use crate::scene::SpotEdge;
+use crate::screen::lane::{Wide, dot, unit};
 
 /// A light in eye space.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,26 +71,55 @@ impl EyeLight {
     #[must_use]
     #[inline]
     pub fn arriving(&self, eye: Vec3) -> Option<(Vec3, Rgb)> {
+        let Arriving { to_light, color, arrives } = self.arriving_at(eye.to_array());
+        arrives.then(|| (to_light.into(), color.into()))
+    }
+
+    /// The same at one point or several side by side.
+    #[inline(always)]
+    pub(super) fn arriving_at<T: Wide>(&self, eye: [T; 3]) -> Arriving<T> {
+        let [zero, one] = [eye[0].all(0.0), eye[0].all(1.0)];
+        let all = |numbers: [f64; 3]| [zero.all(numbers[0]), zero.all(numbers[1]), zero.all(numbers[2])];
+        let away = |position: Vec3| {
+            let position = all(position.to_array());
+            unit([position[0] - eye[0], position[1] - eye[1], position[2] - eye[2]])
+        };
+        let color = all(self.color.to_array());
         match self.source {
-            EyeSource::Point { position } => Some((unit(position - eye)?, self.color)),
-            EyeSource::Directional { to_light } => Some((to_light, self.color)),
+            EyeSource::Point { position } => {
+                let (to_light, arrives) = away(position);
+                Arriving { to_light, color, arrives }
+            }
+            EyeSource::Directional { to_light } => {
+                Arriving { to_light: all(to_light.to_array()), color, arrives: one.above(zero) }
+            }
             EyeSource::Spot(spot) => {
-                let to_light = unit(spot.position - eye)?;
-                let share = spot.share(to_light);
-                (share > 0.0).then(|| (to_light, self.color * share))
+                let (to_light, has_direction) = away(spot.position);
+                let share = (zero - dot(all(spot.axis.to_array()), to_light)).each(|cosine| spot.share(cosine));
+                let color = [color[0] * share, color[1] * share, color[2] * share];
+                Arriving { to_light, color, arrives: has_direction & share.above(zero) }
             }
         }
     }
 }
 
+/// Light that arrives at points, one or several side by side.
+pub(super) struct Arriving<T: Wide> {
+    /// Unit directions towards the light.
+    pub to_light: [T; 3],
+    pub color: [T; 3],
+    /// At which points any arrives; elsewhere the rest says nothing.
+    pub arrives: T::Mask,
+}
+
 impl Spot {
-    /// How much of its light, 0 to 1, goes the way back along `to_light`.
+    /// How much of its light, 0 to 1, goes a way whose angle to the axis has this `cosine`.
     ///
     /// Sharp: all inside the cone. Soft: half a cosine wave from the axis (1) to the cone (0). The wave runs over the cosine d of the
     /// angle to the axis, not over the angle: half the light is left at d = (1 + c)/2.
-    fn share(&self, to_light: Vec3) -> f64 {
+    fn share(&self, cosine: f64) -> f64 {
         // Rounding may give a cosine just above 1.
-        let cosine = self.axis.dot(-to_light).min(1.0);
+        let cosine = cosine.min(1.0);
         if cosine < self.cosine {
             return 0.0;
         }

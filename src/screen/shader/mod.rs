@@ -4,21 +4,25 @@
 //!
 //! Used by the geometry stage at vertices (flat, Gouraud) and by every rasterizer at samples (Phong), so that both
 //! mean the same by "light". `lights` knows what arrives at a point, `reflection` what leaves it, and has the formulas of the
-//! three models; this file goes from light to light. `docs/shading.md` explains all of it with pictures.
+//! three models; this file goes from light to light. `docs/shading.md` explains all of it with pictures. All of it is written for one
+//! point or several side by side ([`super::lane::Wide`]): the readable path lights one sample at a time, the fast one eight, by the same lines.
 //!
 //! Space: eye space; the eye is the origin. Colors are linear light.
 //! Source: Phong, "Illumination for Computer Generated Pictures", CACM 18(6), 1975, 311-317; coefficients as in NFF and SIPP.
 //! Cost: per light one square root, and one power or division where Ks > 0.
 
 mod lights;
+mod power;
 mod reflection;
 
 pub use lights::{EyeLight, EyeSource, Spot};
 pub use reflection::SurfaceShading;
 
+use self::lights::Arriving;
+use super::lane::{Wide, choose, dot, unit};
 use super::{Fragment, ScreenPolygon};
 use crate::color::Rgb;
-use crate::math::{Vec3, unit};
+use crate::math::Vec3;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Turns interpolated values into color: the lights and surfaces of one picture, in eye space.
@@ -46,44 +50,37 @@ impl Shader {
     #[must_use]
     pub fn light(&self, surface: u32, eye: Vec3, normal: Vec3) -> Rgb {
         let mut powers = 0;
-        let light = self.light_counting(surface, (eye, normal), &mut powers);
+        let points = Points { eye: eye.to_array(), normal: normal.to_array(), wanted: true };
+        let light = self.light_of(&self.surfaces[surface as usize], points, &mut powers);
         self.add_powers(powers);
-        light
+        light.into()
     }
 
-    /// As [`Shader::light`]; highlights are added to `powers`, for many points to be counted at once ([`Shader::add_powers`]).
-    #[inline]
-    pub(crate) fn light_counting(&self, surface: u32, (eye, normal): (Vec3, Vec3), powers: &mut u64) -> Rgb {
-        let surface = &self.surfaces[surface as usize];
-        let view = unit(-eye).unwrap_or(normal);
+    /// The same for one point or several side by side; highlights are added to `powers`.
+    #[inline(always)]
+    fn light_of<T: Wide>(&self, surface: &SurfaceShading, points: Points<T>, powers: &mut u64) -> [T; 3] {
+        let Points { eye, normal, wanted } = points;
+        let zero = eye[0].all(0.0);
+        let (to_eye, is_apart) = unit([zero - eye[0], zero - eye[1], zero - eye[2]]);
+        let view = choose(is_apart, to_eye, normal);
         let has_highlight = surface.specular > 0.0 || self.specular_everywhere;
-        let (mut diffuse, mut specular) = (Rgb::BLACK, Rgb::BLACK);
+        let (mut diffuse, mut specular) = ([zero; 3], [zero; 3]);
         for light in &self.lights {
-            let Some((to_light, color)) = light.arriving(eye) else { continue };
-            let cosine = normal.dot(to_light);
-            if cosine <= 0.0 && surface.is_nff() {
-                continue;
-            }
-            diffuse += color * cosine.max(0.0);
-            if has_highlight {
-                let mirrored = normal * (2.0 * cosine) - to_light;
-                specular += color * self.highlight(surface, mirrored.dot(view), powers);
+            let Arriving { to_light, color, arrives } = light.arriving_at(eye);
+            let cosine = dot(normal, to_light);
+            let faces = cosine.above(zero) & arrives;
+            add(&mut diffuse, color, T::choose(faces, cosine, zero));
+            let lit = if surface.is_nff() { faces } else { arrives } & wanted;
+            if has_highlight && T::count(lit) > 0 {
+                let twice = cosine.all(2.0) * cosine;
+                let mut mirrored = normal;
+                for (along, towards) in mirrored.iter_mut().zip(to_light) {
+                    *along = *along * twice - towards;
+                }
+                add(&mut specular, color, highlight(surface, dot(mirrored, view), lit, powers));
             }
         }
-        surface.sent(diffuse, specular).map(|light| light.min(BRIGHTEST))
-    }
-
-    /// The highlight of `surface` where the mirrored light and the eye are `cosine` apart; none where it is not above 0.
-    #[inline]
-    fn highlight(&self, surface: &SurfaceShading, cosine: f64, powers: &mut u64) -> f64 {
-        // NFF's power 0 is 1 everywhere.
-        let is_everywhere = surface.is_nff() && surface.shine <= 0.0;
-        if cosine <= 0.0 && !is_everywhere {
-            return 0.0;
-        }
-        *powers += 1;
-        // Rounding may give a cosine just above 1; a large power would make light out of it.
-        surface.highlight(cosine.clamp(0.0, 1.0))
+        surface.sent(diffuse, specular)
     }
 
     /// The fragment of `polygon` at sample (x, y): depth, color and opacity by the contract's definition.
@@ -104,18 +101,32 @@ impl Shader {
         color
     }
 
-    /// As [`Shader::color`]; highlights are added to `powers`.
+    /// As [`Shader::color`]; highlights are added to `powers`, for many points to be counted at once ([`Shader::add_powers`]).
     #[inline]
     pub(crate) fn color_counting(&self, surface: u32, values: &[f64], powers: &mut u64) -> Rgb<f32> {
         match *values {
             [r, g, b] => Rgb::new(r as f32, g as f32, b as f32),
             [nx, ny, nz, ex, ey, ez] => {
-                // Interpolated normals are shorter than 1 between the vertices.
-                let normal = unit(Vec3::new(nx, ny, nz)).unwrap_or(Vec3::NEG_Z);
-                self.light_counting(surface, (Vec3::new(ex, ey, ez), normal), powers).to_f32()
+                Rgb::from(self.light_counting(surface, [nx, ny, nz, ex, ey, ez], true, powers)).to_f32()
             }
             _ => self.line_color,
         }
+    }
+
+    /// The light of interpolated normals and eye points, one or several side by side; where the mask `wanted` is false, whatever it is.
+    #[inline(always)]
+    pub(crate) fn light_counting<T: Wide>(
+        &self,
+        surface: u32,
+        [nx, ny, nz, ex, ey, ez]: [T; 6],
+        wanted: T::Mask,
+        powers: &mut u64,
+    ) -> [T; 3] {
+        // Interpolated normals are shorter than 1 between the vertices.
+        let (unit_normal, has_direction) = unit([nx, ny, nz]);
+        let normal = choose(has_direction, unit_normal, [nx.all(0.0), nx.all(0.0), nx.all(-1.0)]);
+        let points = Points { eye: [ex, ey, ez], normal, wanted };
+        self.light_of(&self.surfaces[surface as usize], points, powers)
     }
 
     /// The opacity of the polygon's surface.
@@ -144,6 +155,41 @@ impl Shader {
         self.surfaces.push(SurfaceShading { opacity: Rgb::gray(1.0), ..SurfaceShading::default() });
         (self.surfaces.len() - 1) as u32
     }
+}
+
+/// Points of one surface, side by side.
+struct Points<T: Wide> {
+    /// Eye space.
+    eye: [T; 3],
+    /// Unit.
+    normal: [T; 3],
+    /// Of which points the light is asked for.
+    wanted: T::Mask,
+}
+
+/// Adds `color` times `share`.
+#[inline(always)]
+fn add<T: Wide>(sum: &mut [T; 3], color: [T; 3], share: T) {
+    for (sum, color) in sum.iter_mut().zip(color) {
+        *sum = *sum + color * share;
+    }
+}
+
+/// Highlights of `surface` at the points that are `lit`, where the mirrored light and the eye are `cosine` apart; none where it is not
+/// above 0.
+#[inline(always)]
+fn highlight<T: Wide>(surface: &SurfaceShading, cosine: T, lit: T::Mask, powers: &mut u64) -> T {
+    let [zero, one] = [cosine.all(0.0), cosine.all(1.0)];
+    // NFF's power 0 is 1 everywhere.
+    let is_everywhere = surface.is_nff() && surface.shine <= 0.0;
+    let shows = if is_everywhere { lit } else { lit & cosine.above(zero) };
+    let count = T::count(shows);
+    if count == 0 {
+        return zero;
+    }
+    *powers += u64::from(count);
+    // Rounding may give a cosine just above 1; a large power would make light out of it.
+    T::choose(shows, surface.highlight(cosine.hold(zero, one)), zero)
 }
 
 impl Clone for Shader {

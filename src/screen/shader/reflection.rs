@@ -18,9 +18,11 @@
 //! Reitz's distribution of facets without its square, as in Blinn, "Models of Light Reflection for Computer Synthesized Pictures",
 //! SIGGRAPH 1977.
 
+use super::BRIGHTEST;
+use super::power::power;
 use crate::color::Rgb;
-use crate::math::pow;
 use crate::scene::{Place, Reflection};
+use crate::screen::lane::Wide;
 
 /// A material made ready: colors decoded and multiplied by their coefficients.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -48,24 +50,41 @@ impl SurfaceShading {
     }
 
     /// How much light leaves where the cosine between the mirrored light and the eye is `cosine`, above 0, at most 1.
-    pub(super) fn highlight(&self, cosine: f64) -> f64 {
+    #[inline(always)]
+    pub(super) fn highlight<T: Wide>(&self, cosine: T) -> T {
         match self.reflection {
-            Reflection::Nff | Reflection::Phong => pow(cosine, self.shine),
+            Reflection::Nff | Reflection::Phong => power(cosine, self.shine),
             Reflection::Basic { c3 } => {
                 // q^2 (c^2 - 1) + 1 as c^2 q^2 + (1 - q)(1 + q): exactly c^2 at q = 1, however small c is.
-                let squared = c3 * c3;
-                let numerator = squared * cosine;
-                numerator / (numerator * cosine + (1.0 - cosine) * (1.0 + cosine)).max(f64::MIN_POSITIVE)
+                let [one, least] = [cosine.all(1.0), cosine.all(f64::MIN_POSITIVE)];
+                let numerator = cosine.all(c3 * c3) * cosine;
+                let denominator = numerator * cosine + (one - cosine) * (one + cosine);
+                numerator / T::choose(denominator.above(least), denominator, least)
             }
         }
     }
 
     /// The light that leaves, of the sums over the lights.
-    pub(super) fn sent(&self, diffuse: Rgb, specular: Rgb) -> Rgb {
-        if self.is_nff() {
-            return self.ambient + self.diffuse * diffuse + specular * self.specular;
+    #[inline(always)]
+    pub(super) fn sent<T: Wide>(&self, diffuse: [T; 3], specular: [T; 3]) -> [T; 3] {
+        let (own, scattered) = (self.ambient.to_array(), self.diffuse.to_array());
+        let mut light = diffuse;
+        for channel in 0..3 {
+            let (diffuse, specular) = (diffuse[channel], specular[channel]);
+            let (ambient, color, mirror) =
+                (diffuse.all(own[channel]), diffuse.all(scattered[channel]), diffuse.all(self.specular));
+            light[channel] = if self.is_nff() {
+                cut(ambient + color * diffuse + specular * mirror, BRIGHTEST)
+            } else {
+                cut(ambient + color * cut(diffuse, 1.0) + cut(specular, 1.0) * mirror, 1.0)
+            };
         }
-        let to_white = |light: Rgb| light.map(|channel| channel.min(1.0));
-        to_white(self.ambient + self.diffuse * to_white(diffuse) + to_white(specular) * self.specular)
+        light
     }
+}
+
+/// At most `most`; not-a-number counts as more.
+#[inline(always)]
+fn cut<T: Wide>(light: T, most: f64) -> T {
+    T::choose(light.all(most).above(light), light, light.all(most))
 }
