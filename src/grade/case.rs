@@ -142,7 +142,7 @@ fn at([a, b, c]: [f64; 3], (x, y): (f64, f64)) -> f64 {
 }
 
 /// The plane that takes `values` at three points; without area, the first value everywhere.
-fn plane_through([p, q, r]: [(f64, f64); 3], values: [f64; 3]) -> [f64; 3] {
+pub(super) fn plane_through([p, q, r]: [(f64, f64); 3], values: [f64; 3]) -> [f64; 3] {
     let (ux, uy, vx, vy) = (q.0 - p.0, q.1 - p.1, r.0 - p.0, r.1 - p.1);
     let area = ux * vy - uy * vx;
     let (du, dv) = (values[1] - values[0], values[2] - values[0]);

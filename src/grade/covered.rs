@@ -6,7 +6,7 @@
 //! Cost: a few operations an edge and sample.
 
 use super::quarters;
-use super::rules::{Bounds, BoundsBy, Fill, Pieces, Rounding, Rules, Ties, Winding};
+use super::rules::{Bounds, BoundsBy, Fill, Pieces, Rounding, Rules, Slack, Ties, Winding};
 use super::scan;
 use crate::math::edges;
 
@@ -35,14 +35,7 @@ struct Piece {
 impl Outline {
     /// `size`: of the picture, in samples.
     pub fn new(corners: &[Point], rules: &Rules, size: (u32, u32)) -> Outline {
-        let round = |x: f64| match rules.corners {
-            Rounding::None => x,
-            Rounding::Down => x.floor(),
-            Rounding::Nearest => (x + 0.5).floor(),
-            Rounding::Up => x.ceil(),
-            Rounding::DownTo(parts) => (x * f64::from(parts)).floor() / f64::from(parts),
-            Rounding::NearestTo(parts) => (x * f64::from(parts) + 0.5).floor() / f64::from(parts),
-        };
+        let round = |x: f64| rounded(x, rules.corners);
         let corners: Vec<Point> = corners.iter().map(|&(x, y)| (round(x), round(y))).collect();
         let size = (size.0 as i32, size.1 as i32);
         let pieces = cut(corners, rules.pieces).into_iter().map(|corners| Piece::new(corners, rules, size)).collect();
@@ -57,14 +50,28 @@ impl Outline {
     }
 }
 
+/// A coordinate, rounded.
+pub(super) fn rounded(x: f64, rounding: Rounding) -> f64 {
+    match rounding {
+        Rounding::None => x,
+        Rounding::Down => x.floor(),
+        Rounding::Nearest => (x + 0.5).floor(),
+        Rounding::Up => x.ceil(),
+        Rounding::DownTo(parts) => (x * f64::from(parts)).floor() / f64::from(parts),
+        Rounding::NearestTo(parts) => (x * f64::from(parts) + 0.5).floor() / f64::from(parts),
+    }
+}
+
 /// The parts of an outline.
 fn cut(corners: Vec<Point>, pieces: Pieces) -> Vec<Vec<Point>> {
     let count = corners.len();
     match pieces {
         Pieces::Whole => vec![corners],
         Pieces::FirstCorners(most) => vec![corners[..count.min(most)].to_vec()],
-        Pieces::Fan { from, skipped, lost, .. } => {
+        Pieces::Fan { from, skipped, lost, of_all, .. } => {
             let corner = |number: usize| corners[(from + number) % count];
+            // Whoever loses triangles of a fan still draws triangles.
+            let (skipped, lost) = if count == 3 && !of_all { (0, 0) } else { (skipped, lost) };
             let end = (count - 1).saturating_sub(lost);
             (1 + skipped..end).map(|number| vec![corner(0), corner(number), corner(number + 1)]).collect()
         }
@@ -110,6 +117,7 @@ impl Piece {
             Fill::BothEnds => has_odd_crossings(&self.corners, point, true),
             Fill::Outline => is_inside(&self.corners, point, rules.ties),
             Fill::Outside => self.in_box(point) && !is_inside(&self.corners, point, rules.ties),
+            Fill::Slack(slack) => self.is_nearly_inside(point, slack),
             Fill::Narrow(parts) => self.is_on_one_side_in_16_bits(point, f64::from(parts)),
             Fill::Quarters(slip) => {
                 let asked = quarters::asked(&self.corners, slip, self.size, (x, y));
@@ -143,6 +151,16 @@ impl Piece {
         edges(&self.corners).all(|(a, b)| sign_with_ties(cross(*a, *b, point), *a, *b, ties) == turn)
     }
 
+    fn is_nearly_inside(&self, point: Point, slack: Slack) -> bool {
+        let area = twice_area(&self.corners);
+        let least = |a: Point, b: Point| match slack {
+            Slack::Weight(least) => least * area.abs(),
+            Slack::Cross(least) => least,
+            Slack::Distance(least) => least * ((b.0 - a.0) * (b.0 - a.0) + (b.1 - a.1) * (b.1 - a.1)).sqrt(),
+        };
+        area != 0.0 && edges(&self.corners).all(|(a, b)| cross(*a, *b, point) * area.signum() >= -least(*a, *b))
+    }
+
     fn is_on_one_side_in_16_bits(&self, point: Point, parts: f64) -> bool {
         let turn = if twice_area(&self.corners) > 0.0 { 1.0 } else { -1.0 };
         // Whoever keeps differences in 16 bits loses what is above.
@@ -159,14 +177,32 @@ impl Piece {
 /// Columns and rows of the bounds that are looked at: left, right, top, bottom, all included.
 fn window((low, high): (Point, Point), bounds: Bounds, size: (i32, i32)) -> [i32; 4] {
     let whole = |x: f64| x as i32;
-    let range = |low: f64, high: f64, size: i32| match bounds.by {
+    let range = |by: BoundsBy, low: f64, high: f64, size: i32| match by {
         BoundsBy::Floor => (whole(low.floor()), whole(high.floor())),
         BoundsBy::Clipped => (whole(low.floor()), whole(high.floor()).min(size - 1)),
         BoundsBy::Centers => (whole((low - 0.5).ceil()), whole((high - 0.5).ceil()) - 1),
         BoundsBy::Inner => (whole(low.ceil()), whole(high.floor()) - 1),
         BoundsBy::Rounded => (whole((low + 0.5).floor()), whole((high + 0.5).floor()) - 1),
+        BoundsBy::WholeBlocks(side) | BoundsBy::WholeBlocksAcross(side) => {
+            let (first, last) = (whole(low.floor()), whole(high.floor()).min(size - 1));
+            (first, first + (last - first + 1).div_euclid(side) * side - 1)
+        }
+        BoundsBy::BlocksOfCenters(side) | BoundsBy::CenterBlocksAcross(side) => {
+            let (first, end) = (whole((low - 0.5).ceil()), whole((high - 0.5).ceil()));
+            (first, first + (end - first).div_euclid(side) * side - 1)
+        }
+        BoundsBy::WholeBlocksOfPicture(side) => {
+            let (first, end) = (whole(low.floor()), whole(high.floor()).min(size - 1) + 1);
+            ((first + side - 1).div_euclid(side) * side, end.div_euclid(side) * side - 1)
+        }
     };
-    let ((left, right), (top, bottom)) = (range(low.0, high.0, size.0), range(low.1, high.1, size.1));
+    let down = match bounds.by {
+        BoundsBy::WholeBlocksAcross(_) => BoundsBy::Floor,
+        BoundsBy::CenterBlocksAcross(_) => BoundsBy::Centers,
+        by => by,
+    };
+    let (left, right) = range(bounds.by, low.0, high.0, size.0);
+    let (top, bottom) = range(down, low.1, high.1, size.1);
     let [of_left, of_right, of_top, of_bottom] = bounds.lost;
     // Whatever is looked at beyond the bounds holds nothing; so the bounds do not decide where nothing is lost.
     let all = bounds == Bounds::WHOLE;

@@ -64,7 +64,7 @@ impl Lit<'_> {
     fn normal(&self, at: (f64, f64)) -> Vec3 {
         let values = &self.corners.values;
         Vec3::from(match self.rules.light.normal {
-            NormalFrom::Corners => values::interpolated(self.face, self.corners, self.rules, at),
+            NormalFrom::Corners => values::interpolated(self.face, self.corners, self.rules, (at, None)),
             NormalFrom::Corner(number) => values[number],
             NormalFrom::Nearest => values[values::nearest(self.face)],
             NormalFrom::Heaviest => values[values::heaviest(self.face, at)],

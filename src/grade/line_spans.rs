@@ -3,7 +3,7 @@
 //! A span: neighboring samples that the same faces cover. Cost: faces times samples of the line, and halving.
 
 use super::case::Case;
-use super::paint::Stack;
+use super::stack::Stack;
 use super::rules::{LineSpans, Rules};
 
 /// A span: samples from `first` up to `end`, and the faces that are thought to cover all of it.
@@ -24,6 +24,10 @@ pub(super) fn stacks<I: Iterator<Item = usize>>(
         return None;
     }
     let covering: Vec<Vec<usize>> = (0..case.width as i32).map(|x| covers(x).collect()).collect();
+    if let Some(faces) = events(case, rules, y, &covering) {
+        let stack = |(x, faces): (usize, &Vec<usize>)| Stack::of(case, rules, (x as i32, y), faces.iter().copied());
+        return Some(faces.iter().enumerate().map(stack).collect());
+    }
     let mut spans = cut(&covering, rules.line);
     match rules.line {
         LineSpans::LastLost => drop(spans.pop()),
@@ -37,6 +41,60 @@ pub(super) fn stacks<I: Iterator<Item = usize>>(
         line.show(&span.faces, (span.first, span.end - 1), true);
     }
     Some(line.shown)
+}
+
+/// The faces that every sample is thought to have, where they come and go from event to event; `None` for other rules.
+fn events(case: &Case, rules: &Rules, y: i32, covering: &[Vec<usize>]) -> Option<Vec<Vec<usize>>> {
+    if rules.line == LineSpans::ListOrder {
+        return Some(in_list_order(case.faces.len(), covering));
+    }
+    if !matches!(rules.line, LineSpans::NothingBehind | LineSpans::NothingUntilNext | LineSpans::LatestBegun) {
+        return None;
+    }
+    let nearest = |x: usize, faces: &[usize]| {
+        Stack::of(case, rules, (x as i32, y), faces.iter().copied()).front.map(|front| front.0)
+    };
+    let (mut known, mut before, mut seen): (Vec<usize>, &[usize], Vec<Vec<usize>>) = (Vec::new(), &[], Vec::new());
+    for (x, faces) in covering.iter().enumerate() {
+        let begins: Vec<usize> = faces.iter().filter(|face| !before.contains(face)).copied().collect();
+        let front = if x > 0 { nearest(x - 1, &known) } else { None };
+        let has_lost_front = front.is_some_and(|front| !faces.contains(&front));
+        known.retain(|face| faces.contains(face));
+        match rules.line {
+            LineSpans::LatestBegun if !begins.is_empty() => known = begins,
+            LineSpans::LatestBegun if known.is_empty() => known.clone_from(faces),
+            LineSpans::LatestBegun => {}
+            _ if has_lost_front => known = begins,
+            LineSpans::NothingUntilNext if !begins.is_empty() => known.clone_from(faces),
+            _ => known.extend(begins),
+        }
+        known.sort_unstable();
+        seen.push(known.clone());
+        before = faces;
+    }
+    Some(seen)
+}
+
+/// Spans between events that are in the order of the list: what runs backward is empty.
+fn in_list_order(count: usize, covering: &[Vec<usize>]) -> Vec<Vec<usize>> {
+    let has = |x: usize, face: usize| covering.get(x).is_some_and(|faces| faces.contains(&face));
+    let mut events: Vec<(usize, usize)> = Vec::new();
+    for face in 0..count {
+        let changes = (0..=covering.len()).filter(|&x| has(x, face) != (x > 0 && has(x - 1, face)));
+        events.extend(changes.map(|x| (x, face)));
+    }
+    let (mut open, mut seen): (Vec<usize>, Vec<Vec<usize>>) = (Vec::new(), vec![Vec::new(); covering.len()]);
+    for (number, &(x, face)) in events.iter().enumerate() {
+        match open.iter().position(|&other| other == face) {
+            Some(at) => drop(open.remove(at)),
+            None => open.push(face),
+        }
+        let end = events.get(number + 1).map_or(x, |next| next.0);
+        for faces in seen.iter_mut().take(end).skip(x) {
+            faces.clone_from(&open);
+        }
+    }
+    seen
 }
 
 fn cut(covering: &[Vec<usize>], rule: LineSpans) -> Vec<Span> {

@@ -92,6 +92,16 @@ pub enum Levels {
     Of(f64),
     /// round(n c).
     Scaled(f64),
+    /// floor(n c) of n, brought to 255.
+    CutOf(f64),
+    /// round(n c) of n, brought to 255 in whole numbers.
+    OfCut(f64),
+    /// round(255 c) and this.
+    More(f64),
+    /// The same in a byte.
+    MoreInByte(f64),
+    /// A power of c.
+    Power(f64),
 }
 
 /// What transparency does.
@@ -111,6 +121,10 @@ pub enum Blending {
     AtOnce,
     /// The same, and glass hides what comes later behind it.
     AtOnceKept,
+    /// Each with what has been drawn so far, whatever its depth.
+    AtOnceUntested,
     /// Also what is behind the opaque face.
     Everywhere,
+    /// What is farther than the opaque face, the nearest first.
+    Turned,
 }

@@ -13,20 +13,21 @@
 
 use super::case::{Case, Face};
 use super::covered::Outline;
+use super::covering::Covering;
 use super::lighting;
 use super::line_spans;
 use super::lines;
+use super::memory;
 use super::pixels;
 use super::place;
-use super::rules::{Blending, DepthFrom, Front, Interpolation, Levels, PixelFrom, Rules, SampleAt};
-use super::runs;
+use super::rules::{Interpolation, Levels, Memory, PixelFrom, Rules, SampleAt};
+use super::shape;
+use super::stack::{Stack, depth, point};
 use super::values::{self, Corners};
 use crate::math::pow;
 
 /// Half the width of the band around a boundary between two levels, in levels.
 const LEVEL_BAND: f64 = 0.04;
-/// Part of a depth within which the order of slanted faces is not judged.
-const DEPTH_BAND: f64 = 8.0 * f32::EPSILON as f64;
 
 /// A picture as it should be, with its tolerance.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,15 +57,18 @@ impl Painted {
 
 /// One sample, drawn.
 #[derive(Clone, Copy, Default)]
-struct Sample {
-    color: [f64; 3],
-    front: Option<usize>,
-    disputed: bool,
+pub(super) struct Sample {
+    pub color: [f64; 3],
+    pub front: Option<usize>,
+    pub disputed: bool,
+    /// A face shows here.
+    pub is_drawn: bool,
 }
 
 /// Draws `case` under `rules`.
 #[must_use]
 pub fn paint(case: &Case, rules: &Rules) -> Painted {
+    let case = &*shape::seen(case, rules);
     let mut samples = if case.lines { paint_lines(case, rules) } else { paint_samples(case, rules) };
     let size = (case.width as usize, case.height as usize);
     place::keep_inside_border(&mut samples, size, rules.border, empty(case, rules));
@@ -104,7 +108,7 @@ fn paint_lines(case: &Case, rules: &Rules) -> Vec<Sample> {
         lines::outline(&face.corners, rule, (case.width, case.height), |at, is_certain| {
             let old = samples[at];
             let was_certain = old.front.is_some() && !old.disputed;
-            let shown = Sample { color, front: Some(index), disputed: !is_certain && !was_certain };
+            let shown = Sample { color, front: Some(index), disputed: !is_certain && !was_certain, is_drawn: true };
             samples[at] = if rule.is_exclusive && old.front.is_some() { empty } else { shown };
         });
     }
@@ -112,38 +116,51 @@ fn paint_lines(case: &Case, rules: &Rules) -> Vec<Sample> {
 }
 
 fn paint_samples(case: &Case, rules: &Rules) -> Vec<Sample> {
-    let outlines: Vec<Outline> =
-        case.faces.iter().map(|face| Outline::new(&face.corners, rules, (case.width, case.height))).collect();
     let corner_values: Vec<_> = case.faces.iter().map(|face| Corners::of(face, rules)).collect();
     let right_places = rules.sample_at == SampleAt::Own || case.samples < 2;
+    if !right_places {
+        return paint_elsewhere(case, rules, &corner_values);
+    }
+    let covering = Covering::of(case, rules);
+    let color = |index: usize, sample: (i32, i32)| shown_color(case, index, &corner_values[index], rules, sample);
+    if rules.memory != Memory::RIGHT {
+        return memory::paint(case, rules, &covering, (empty(case, rules), &color));
+    }
     let mut samples = Vec::new();
     for y in 0..case.height as i32 {
-        let outlines = &outlines;
-        let count = case.faces.len();
-        let covers = move |x: i32| {
-            let listed = (0..count).filter(move |&index| rules.listed.has(index, count));
-            listed.filter(move |&index| outlines[index].covers((x, y), rules))
-        };
+        let covers = |x: i32| covering.at((x, y));
         let line = line_spans::stacks(case, rules, y, &covers);
         for x in 0..case.width as i32 {
-            let moved = (!right_places).then(|| asked_elsewhere(case, rules, (x, y)));
-            let stack = match (&moved, &line) {
-                (Some(rules), _) => {
-                    let covering = (0..case.faces.len()).filter(|&index| outlines[index].covers((x, y), rules));
-                    Stack::of(case, rules, (x, y), covering)
-                }
-                (None, Some(stacks)) => stacks[x as usize].clone(),
-                (None, None) => Stack::of(case, rules, (x, y), covers(x)),
+            let stack = match &line {
+                Some(stacks) => stacks[x as usize].clone(),
+                None => Stack::of(case, rules, (x, y), covers(x)),
             };
-            let rules = moved.as_ref().unwrap_or(rules);
-            let color = |index: usize| {
-                let color = face_color(case, index, &corner_values[index], rules, (x, y));
-                rules.face_tone.of(rules.face_channels.map(|channel| color[channel]))
-            };
-            samples.push(stack.shown(case, rules, empty(case, rules), color));
+            samples.push(stack.shown(case, rules, empty(case, rules), |index| color(index, (x, y))));
         }
     }
     samples
+}
+
+/// Samples of a pixel that are asked for at another place.
+fn paint_elsewhere(case: &Case, rules: &Rules, corner_values: &[Corners]) -> Vec<Sample> {
+    let outline = |face: &Face| Outline::new(&face.corners, rules, (case.width, case.height));
+    let outlines: Vec<Outline> = case.faces.iter().map(outline).collect();
+    let mut samples = Vec::new();
+    for y in 0..case.height as i32 {
+        for x in 0..case.width as i32 {
+            let moved = asked_elsewhere(case, rules, (x, y));
+            let covering = (0..case.faces.len()).filter(|&index| outlines[index].covers((x, y), &moved));
+            let stack = Stack::of(case, &moved, (x, y), covering);
+            let color = |index: usize| shown_color(case, index, &corner_values[index], &moved, (x, y));
+            samples.push(stack.shown(case, &moved, empty(case, &moved), color));
+        }
+    }
+    samples
+}
+
+fn shown_color(case: &Case, index: usize, corners: &Corners, rules: &Rules, sample: (i32, i32)) -> [f64; 3] {
+    let color = face_color(case, index, corners, rules, sample);
+    rules.face_tone.of(rules.face_channels.map(|channel| color[channel]))
 }
 
 /// The rules with the place at which a sample of a pixel is asked for.
@@ -173,133 +190,20 @@ fn mixed(case: &Case, rules: &Rules, (x, y): (usize, usize), later_counts: bool)
     color
 }
 
-/// What covers one sample.
-#[derive(Clone, Default)]
-pub(super) struct Stack {
-    /// Face, depth, and whether it was in front of what was opaque when its turn came; in list order.
-    layers: Vec<(usize, f64, bool)>,
-    /// The opaque face that keeps the sample.
-    pub front: Option<(usize, f64)>,
-}
-
-impl Stack {
-    pub fn of(case: &Case, rules: &Rules, sample: (i32, i32), covering: impl Iterator<Item = usize>) -> Stack {
-        let mut stack = Stack { layers: Vec::new(), front: None };
-        for index in covering {
-            let face = &case.faces[index];
-            let depth = depth(face, rules, (sample, case.samples)).min(rules.capped);
-            let wins = match (rules.front, stack.front) {
-                (Front::Last, _) => true,
-                (Front::First, front) => front.is_none(),
-                (Front::Nearest, None) => depth > rules.clear && depth < rules.limit,
-                (Front::Farthest, None) => true,
-                (Front::Nearest, Some((_, old))) => {
-                    (depth > old + rules.margin && depth < rules.limit) || (rules.later_wins_ties && depth == old)
-                }
-                (Front::Farthest, Some((_, old))) => depth < old,
-            };
-            stack.layers.push((index, depth, wins));
-            let is_clear = face.opacity < 1.0 && rules.blending != Blending::Ignored;
-            if wins && (!is_clear || rules.blending == Blending::AtOnceKept) {
-                stack.front = Some((index, depth));
-            }
-        }
-        stack
-    }
-
-    /// What is there when each face is mixed with what was drawn before it.
-    fn at_once(&self, case: &Case, empty: [f64; 3], color: impl Fn(usize) -> [f64; 3]) -> [f64; 3] {
-        self.layers.iter().filter(|&&(.., wins)| wins).fold(empty, |shown, &(index, ..)| {
-            let (own, opacity) = (color(index), case.faces[index].opacity);
-            [0, 1, 2].map(|channel| own[channel] * opacity + shown[channel] * (1.0 - opacity))
-        })
-    }
-
-    fn shown(&self, case: &Case, rules: &Rules, empty: Sample, color: impl Fn(usize) -> [f64; 3]) -> Sample {
-        if matches!(rules.blending, Blending::AtOnce | Blending::AtOnceKept) {
-            let color = self.at_once(case, empty.color, color);
-            return Sample { color, front: self.front.map(|(index, _)| index), disputed: self.is_disputed(case) };
-        }
-        let mut shown = self.front.map_or(empty.color, |(index, _)| color(index));
-        let behind = self.front.map_or(f64::NEG_INFINITY, |(_, depth)| depth);
-        let is_clear = |&&(index, depth, wins): &&(usize, f64, bool)| {
-            case.faces[index].opacity < 1.0 && (rules.blending == Blending::Everywhere || (wins && depth > behind))
-        };
-        let mut clear: Vec<_> = self.layers.iter().filter(is_clear).collect();
-        match rules.blending {
-            Blending::Ignored | Blending::Invisible | Blending::AtOnce | Blending::AtOnceKept => clear.clear(),
-            // A stable sort keeps ties in list order; the farthest is blended first.
-            Blending::Over | Blending::Swapped => {
-                clear.sort_by(|a, b| b.1.total_cmp(&a.1));
-                clear.reverse();
-            }
-            Blending::ListOrder | Blending::Everywhere => {}
-        }
-        for &&(index, ..) in &clear {
-            let opacity = case.faces[index].opacity;
-            let opacity = if rules.blending == Blending::Swapped { 1.0 - opacity } else { opacity };
-            let own = color(index);
-            shown = [0, 1, 2].map(|channel| own[channel] * opacity + shown[channel] * (1.0 - opacity));
-        }
-        Sample { color: shown, front: self.front.map(|(index, _)| index), disputed: self.is_disputed(case) }
-    }
-
-    /// Whether a slanted face is as near as the front one, but for rounding.
-    fn is_disputed(&self, case: &Case) -> bool {
-        let slanted = |index: usize| case.faces[index].inverse_w[..2] != [0.0, 0.0];
-        let Some((front, depth)) = self.front else { return false };
-        self.layers.iter().any(|&(index, other, _)| {
-            index != front
-                && (slanted(index) || slanted(front))
-                && case.faces[index].inverse_w != case.faces[front].inverse_w
-                && (depth - other).abs() <= DEPTH_BAND * depth.abs()
-        })
-    }
-}
-
-fn point((x, y): (i32, i32), rules: &Rules) -> (f64, f64) {
-    (f64::from(x) + rules.value_at.0, f64::from(y) + rules.value_at.1)
-}
-
-/// Depth at a sample, where `samples` of them are the side of a pixel.
-fn depth(face: &Face, rules: &Rules, (sample, samples): ((i32, i32), u32)) -> f64 {
-    let depths = || face.corners.iter().map(|&corner| face.inverse_w_at(corner));
-    let clamped = |depth: f64| {
-        let (least, most) = (depths().fold(f64::INFINITY, f64::min), depths().fold(0.0, f64::max));
-        depth.clamp(least, most)
-    };
-    if rules.depth_at != SampleAt::Own && samples > 1 {
-        return clamped(face.inverse_w_at(pixels::place(sample, samples as i32, rules.depth_at)));
-    }
-    match rules.depth {
-        DepthFrom::Plane if rules.clamps => clamped(face.inverse_w_at(point(sample, rules))),
-        DepthFrom::Plane => face.inverse_w_at(point(sample, rules)),
-        DepthFrom::FirstCorner => face.inverse_w_at(face.corners[0]),
-        DepthFrom::NearestCorner => depths().fold(0.0, f64::max),
-        DepthFrom::MeanCorner => depths().sum::<f64>() / face.corners.len() as f64,
-        DepthFrom::Steps(steps) => (face.inverse_w_at(point(sample, rules)) * steps).floor() / steps,
-        DepthFrom::RoundSteps(steps) => (face.inverse_w_at(point(sample, rules)) * steps).round() / steps,
-        DepthFrom::Whole => face.inverse_w_at(point(sample, rules)).floor(),
-        // What faces the viewer has one depth, to the last digit.
-        DepthFrom::LinearW if face.inverse_w[..2] == [0.0, 0.0] => face.inverse_w[2],
-        DepthFrom::LinearW => {
-            let weights = values::weights(face, point(sample, rules));
-            1.0 / (0..3).map(|corner| weights[corner] / face.inverse_w_at(face.corners[corner])).sum::<f64>()
-        }
-        DepthFrom::Runs(rule) => runs::depth(face, rule, point(sample, rules)),
-    }
-}
-
 fn face_color(case: &Case, index: usize, corners: &Corners, rules: &Rules, sample: (i32, i32)) -> [f64; 3] {
-    let (face, at) = (&case.faces[index], point(sample, rules));
+    let face = &case.faces[index];
+    let place = if rules.block.of_values { rules.block.of(face, sample) } else { sample };
+    let at = point(place, rules);
     if let Some(lamp) = &case.lamp {
         return lighting::light((case, lamp), (face, corners), rules, at);
     }
     // One color is one color, whatever the weights; a divided or multiplied one is not.
-    if corners.is_flat && (keeps_flat(rules.values) || rules.spares_constants) {
+    let stays = keeps_flat(rules.values) && !rules.spares_exact && !rules.divides_by_kept;
+    if corners.is_flat && (stays || rules.spares_constants) {
         return corners.values[0];
     }
-    values::interpolated(face, corners, rules, at)
+    let kept = rules.divides_by_kept.then(|| depth(face, rules, (sample, case.samples)));
+    values::interpolated(face, corners, rules, (at, kept))
 }
 
 /// Whether values that are the same at all corners stay so.
@@ -327,10 +231,9 @@ fn pixel(samples: &[Sample], rules: &Rules, mixed: Option<[f64; 3]>) -> ([u8; 3]
     let shown: Vec<pixels::Shown> = samples.iter().map(|sample| (sample.color, sample.front)).collect();
     let color = mixed.unwrap_or_else(|| pixels::light(&shown, side, rules.pixel));
     let color = rules.tone.of(rules.channels.map(|channel| color[channel]));
-    (
-        color.map(|light| level(light, -LEVEL_BAND, rules.levels)),
-        color.map(|light| level(light, LEVEL_BAND, rules.levels)),
-    )
+    let is_face = samples.len() == 1 && samples[0].is_drawn;
+    let levels = if is_face { rules.face_levels.unwrap_or(rules.levels) } else { rules.levels };
+    (color.map(|light| level(light, -LEVEL_BAND, levels)), color.map(|light| level(light, LEVEL_BAND, levels)))
 }
 
 fn level(light: f64, band: f64, levels: Levels) -> u8 {
@@ -343,6 +246,11 @@ fn level(light: f64, band: f64, levels: Levels) -> u8 {
         Levels::Up => (light * 255.0 + band).ceil(),
         // Above 255 it starts again.
         Levels::Wraps => (light * 256.0 + band).round() % 256.0,
+        Levels::More(more) => (light * 255.0 + band).round() + more,
+        Levels::MoreInByte(more) => ((light * 255.0 + band).round() + more).rem_euclid(256.0),
+        Levels::CutOf(steps) => ((light * steps + band * steps / 255.0).floor() * 255.0 / steps).round(),
+        Levels::OfCut(steps) => ((light * steps + band * steps / 255.0).round() * 255.0 / steps).floor(),
+        Levels::Power(power) => (pow(light, power) * 255.0 + band).round(),
         Levels::Of(steps) => ((light * steps + band * steps / 255.0).round() * 255.0 / steps).round(),
         Levels::Scaled(steps) => (light * steps + band).round(),
         Levels::Squared => (light * light * 255.0 + band).round(),

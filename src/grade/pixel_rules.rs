@@ -60,6 +60,8 @@ pub enum PixelFrom {
     MeanOfPowers(f64),
     /// A power of the mean.
     Root(f64),
+    /// Each mixed half and half with what is there: from the first, or from black.
+    Running(bool),
     /// Weighted to the middle.
     Tent,
     /// The mean of levels, made by cutting after this was added.

@@ -79,6 +79,10 @@ pub(super) fn light(samples: &[Shown], side: usize, rule: PixelFrom) -> Color {
             .map(|sum| pow(sum / count, 1.0 / power)),
         PixelFrom::Root(power) => sum(all()).map(|light| pow((light / count).max(0.0), power)),
         PixelFrom::Tent => tent(samples, side),
+        PixelFrom::Running(from_first) => {
+            let (first, rest) = if from_first { (samples[0].0, &samples[1..]) } else { ([0.0; 3], samples) };
+            rest.iter().fold(first, |mean, sample| each(mean, sample.0, |mean, light| (mean + light) / 2.0))
+        }
         _ => in_levels(samples, rule),
     }
 }

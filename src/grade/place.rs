@@ -16,6 +16,9 @@ pub(super) fn keep_inside_border<T: Copy>(
         Border::LastBoth => x + 1 == width || y + 1 == height,
         Border::FirstColumn => x == 0,
         Border::FirstRow => y == 0,
+        Border::Sides([left, right, top, bottom]) => {
+            (left && x == 0) || (right && x + 1 == width) || (top && y == 0) || (bottom && y + 1 == height)
+        }
         Border::BeyondSquare => x >= width.min(height) || y >= width.min(height),
     };
     for (at, sample) in samples.iter_mut().enumerate() {
@@ -44,6 +47,15 @@ pub(super) fn placed<T: Copy>(samples: &[T], (width, height): (usize, usize), pl
         Place::LastInMemory => {
             let at = (y * width + x).saturating_sub(1);
             Some((at % width, at / width))
+        }
+        Place::ByColumns => {
+            let at = y * width + x;
+            Some((at / height, at % height))
+        }
+        Place::SizeExchanged => {
+            let at = y * width + x;
+            let (x, y) = (at % height, at / height);
+            (x < width && y < height).then_some((x, y))
         }
     };
     (0..width * height).map(|at| from(at % width, at / width).map_or(empty, |(x, y)| samples[y * width + x])).collect()

@@ -9,6 +9,7 @@ use super::lines::rule::Lines;
 pub use super::listed::{Blending, Levels};
 use super::listed::{Listed, Tone};
 pub use super::pixel_rules::{Count, Part, PixelFrom, SampleAt};
+pub use super::program_rules::{Address, Block, DepthPoint, Kept, Memory, Shape, Slack, Stencil, Turned};
 use super::runs::RunRule;
 use super::scan::Scan;
 
@@ -23,8 +24,14 @@ pub struct Rules {
     pub corners: Rounding,
     /// Who gets a center exactly on an edge.
     pub ties: Ties,
+    /// How the polygon is changed before anything else.
+    pub shape: Shape,
     /// What "inside" means.
     pub fill: Fill,
+    /// What of one polygon's samples is left to the next.
+    pub stencil: Stencil,
+    /// What is decided for several samples at once.
+    pub block: Block,
     /// The parts an outline is cut into before it is filled.
     pub pieces: Pieces,
     /// How the faces of a line are told apart span by span.
@@ -43,6 +50,14 @@ pub struct Rules {
     pub front: Front,
     /// Where the depth that is compared comes from.
     pub depth: DepthFrom,
+    /// Where it is taken.
+    pub depth_point: DepthPoint,
+    /// Which depth is kept for those that come later.
+    pub kept: Kept,
+    /// Where depth and color of a sample are kept.
+    pub memory: Memory,
+    /// So many polygons are looked at at a sample.
+    pub most_at_sample: usize,
     /// 1/w that the depth memory starts with: what is not nearer is not shown.
     pub clear: f64,
     /// What is nearer than this is never shown.
@@ -57,6 +72,10 @@ pub struct Rules {
     pub values: Interpolation,
     /// Values that are the same at all corners stay what they are.
     pub spares_constants: bool,
+    /// Those alone that are so to the last digit.
+    pub spares_exact: bool,
+    /// Value / w is divided by the depth that is compared, whatever is wrong with that.
+    pub divides_by_kept: bool,
     /// Values, and depth, are kept between the least and the greatest of the corners.
     pub clamps: bool,
     /// Which corner's value goes to which corner.
@@ -75,6 +94,8 @@ pub struct Rules {
     pub listed: Listed,
     /// From light to 0..255.
     pub levels: Levels,
+    /// The same of the polygons alone.
+    pub face_levels: Option<Levels>,
     /// What transparency does.
     pub blending: Blending,
     /// Which color is behind everything; `None` for the case's own.
@@ -187,6 +208,8 @@ pub enum Fill {
     Nothing,
     /// The bounding box without the inside.
     Outside,
+    /// On one side of all edges, or a little beyond.
+    Slack(Slack),
     /// Edge functions of 16-bit differences, in steps of a sample: one over this.
     Narrow(u16),
     /// Spans of an edge table.
@@ -212,6 +235,8 @@ pub enum Pieces {
         lost: usize,
         /// Samples in two of them are outside again: right for all outlines.
         toggles: bool,
+        /// Triangles of a polygon that is one are left out, too.
+        of_all: bool,
     },
     /// Triangles of three corners in a row.
     Strip {
@@ -247,6 +272,14 @@ pub enum LineSpans {
     LastSampleLost,
     /// The first sample of every span is lost.
     FirstSampleLost,
+    /// Where the face in front ends, nothing shows until another begins.
+    NothingBehind,
+    /// The same, and what begins is compared with all that are there.
+    NothingUntilNext,
+    /// Beginnings and ends are taken face by face, not from left to right.
+    ListOrder,
+    /// The face that begins last shows.
+    LatestBegun,
 }
 
 /// What is wrong with quartering boxes.
@@ -305,6 +338,16 @@ pub enum BoundsBy {
     Inner,
     /// From round(least) to round(greatest), without that.
     Rounded,
+    /// From floor(least) to floor(greatest), as many whole blocks of so many samples as there are in it.
+    WholeBlocks(i32),
+    /// The whole blocks of the picture that lie in it.
+    WholeBlocksOfPicture(i32),
+    /// As [`BoundsBy::WholeBlocks`], in columns alone.
+    WholeBlocksAcross(i32),
+    /// As [`BoundsBy::BlocksOfCenters`], in columns alone.
+    CenterBlocksAcross(i32),
+    /// From the first to the last center, as many whole blocks as there are in it.
+    BlocksOfCenters(i32),
 }
 
 /// Which part of the picture is never drawn.
@@ -324,6 +367,8 @@ pub enum Border {
     FirstRow,
     /// What lies beyond the smaller side is not.
     BeyondSquare,
+    /// The first or last columns, and the first or last rows, are not.
+    Sides([bool; 4]),
 }
 
 /// Where samples land.
@@ -351,6 +396,10 @@ pub enum Place {
     NextInMemory,
     /// The one before: to the right, the last of a row at the start of the row below.
     LastInMemory,
+    /// Written column after column.
+    ByColumns,
+    /// Drawn with width and height exchanged.
+    SizeExchanged,
 }
 
 /// Which polygon of several keeps a sample.
@@ -364,6 +413,8 @@ pub enum Front {
     Last,
     /// The first of the list.
     First,
+    /// The nearest but one.
+    Second,
 }
 
 /// Where the compared depth comes from.
@@ -371,12 +422,18 @@ pub enum Front {
 pub enum DepthFrom {
     /// The plane of 1/w, at the sample.
     Plane,
-    /// The first corner.
-    FirstCorner,
+    /// That corner, or the last.
+    Corner(usize),
     /// The nearest corner.
     NearestCorner,
+    /// The farthest corner.
+    FarthestCorner,
     /// The mean of the corners.
     MeanCorner,
+    /// One over the mean of their distances.
+    MeanDistance,
+    /// The mean of the nearest and the farthest corner.
+    Ends,
     /// w, interpolated on the screen.
     LinearW,
     /// 1/w cut to a whole number.
@@ -385,6 +442,12 @@ pub enum DepthFrom {
     Steps(f64),
     /// 1/w rounded to so many steps a unit.
     RoundSteps(f64),
+    /// 1/w cut down to so many steps a unit, which begin anew at a number.
+    Wraps(f64, f64),
+    /// w cut down to so many steps a unit.
+    DistanceSteps(f64),
+    /// w times this, as a text.
+    AsText(f64),
     /// Along edges, then along rows.
     Runs(RunRule),
 }
@@ -507,7 +570,10 @@ impl Default for Rules {
             value_at: (0.5, 0.5),
             corners: Rounding::None,
             ties: Ties::LEFT_TOP,
+            shape: Shape::RIGHT,
             fill: Fill::Outline,
+            stencil: Stencil::Cleared,
+            block: Block::ONE,
             pieces: Pieces::Whole,
             line: LineSpans::None,
             winding: Winding::Both,
@@ -517,6 +583,10 @@ impl Default for Rules {
             place: Place::Right,
             front: Front::Nearest,
             depth: DepthFrom::Plane,
+            depth_point: DepthPoint::Own,
+            kept: Kept::Shown,
+            memory: Memory::RIGHT,
+            most_at_sample: usize::MAX,
             clear: 0.0,
             limit: f64::INFINITY,
             capped: f64::INFINITY,
@@ -524,6 +594,8 @@ impl Default for Rules {
             later_wins_ties: false,
             values: Interpolation::Perspective,
             spares_constants: false,
+            spares_exact: false,
+            divides_by_kept: false,
             clamps: false,
             carried: Carried::Right,
             over_w: OverW::Stays,
@@ -533,6 +605,7 @@ impl Default for Rules {
             face_tone: Tone::Own,
             listed: Listed::All,
             levels: Levels::Round,
+            face_levels: None,
             blending: Blending::Over,
             background: None,
             sample_at: SampleAt::Own,

@@ -40,6 +40,8 @@ pub struct Scan {
     pub ahead: i32,
     /// Rows that are lost.
     pub lost: Lost,
+    /// What lies beyond the right side of the picture is written to the next row.
+    pub spills: bool,
 }
 
 impl Scan {
@@ -58,6 +60,7 @@ impl Scan {
         ends_late: 0,
         ahead: 0,
         lost: Lost::None,
+        spills: false,
     };
 }
 
@@ -104,6 +107,8 @@ pub enum Slope {
     UpperEnd,
     /// x of the lower end everywhere.
     LowerEnd,
+    /// x on the edge's first row everywhere.
+    FirstRow,
     /// From the right place on the first row on by a whole number: the fraction of dx / dy is cut off.
     Cut,
     /// The same, rounded down.
@@ -135,6 +140,10 @@ pub enum Edges {
     UpwardLost,
     /// Those that run downward.
     DownwardLost,
+    /// Those that are less than a row high.
+    ShortLost,
+    /// Those that are less than a column wide, and not upright.
+    NarrowLost,
 }
 
 /// How crossings become pairs.
@@ -152,6 +161,8 @@ pub enum Pairs {
     LastOnly,
     /// Every crossing with the next.
     Overlapping,
+    /// In the order in which they should be.
+    Rightly,
 }
 
 /// What an odd crossing does.
@@ -216,11 +227,38 @@ pub(super) fn spans(corners: &[Point], scan: &Scan, (width, height): (i32, i32))
                 order.sort_unstable();
                 crossings = order.into_iter().map(x).collect();
             }
+            Pairs::Rightly => {
+                let right = Scan { slope: Slope::Exact, ahead: 0, ..*scan };
+                let mut order = active.clone();
+                order.sort_by(|&a, &b| {
+                    let x = |edge: usize| x_on(&edges[edge], y, &right, &heights);
+                    x(a).total_cmp(&x(b))
+                });
+                crossings = order.into_iter().map(x).collect();
+            }
             _ => crossings.sort_by(f64::total_cmp),
         }
         if is_lost(y, &heights, scan.lost) { Vec::new() } else { paired(&crossings, scan, width) }
     };
-    (0..height).map(row_of).collect()
+    let mut rows: Vec<_> = (0..height).map(row_of).collect();
+    if scan.spills {
+        spill(&mut rows, width);
+    }
+    rows
+}
+
+/// Writes what lies beside a row to the rows beside it.
+fn spill(rows: &mut [Vec<(i32, i32)>], width: i32) {
+    for row in 0..rows.len() {
+        for (first, end) in rows[row].clone() {
+            if end > width && row + 1 < rows.len() {
+                rows[row + 1].push(((first - width).max(0), end - width));
+            }
+            if first < 0 && row > 0 {
+                rows[row - 1].push((first + width, (end + width).min(width)));
+            }
+        }
+    }
 }
 
 fn edges(corners: &[Point], scan: &Scan) -> Vec<Edge> {
@@ -231,6 +269,8 @@ fn edges(corners: &[Point], scan: &Scan) -> Vec<Edge> {
         Edges::FirstLost => number == 0,
         Edges::UpwardLost => a.1 > b.1,
         Edges::DownwardLost => a.1 < b.1,
+        Edges::ShortLost => (a.1 - b.1).abs() < 1.0,
+        Edges::NarrowLost => a.0 != b.0 && (a.0 - b.0).abs() < 1.0,
     };
     let edge = |(number, (&a, &b)): (usize, (&Point, &Point))| {
         let (top, bottom) = if a.1 <= b.1 { (a, b) } else { (b, a) };
@@ -267,6 +307,7 @@ fn x_on(edge: &Edge, y: i32, scan: &Scan, heights: &[f64]) -> f64 {
         Slope::Exact => exact(y),
         Slope::UpperEnd => top.0,
         Slope::LowerEnd => bottom.0,
+        Slope::FirstRow => exact(edge.first_row),
         Slope::Cut => exact(edge.first_row) + slope.trunc() * steps,
         Slope::Down => exact(edge.first_row) + slope.floor() * steps,
         Slope::Rounded => exact(edge.first_row) + slope.round() * steps,
@@ -303,7 +344,7 @@ fn paired(crossings: &[f64], scan: &Scan, width: i32) -> Vec<(i32, i32)> {
         Pairs::FirstOnly => columns.truncate(2),
         Pairs::LastOnly => drop(columns.drain(..columns.len().saturating_sub(2))),
         Pairs::Overlapping => columns = columns.windows(2).flatten().copied().collect(),
-        Pairs::Sorted | Pairs::Unsorted | Pairs::KeptOrder => {}
+        Pairs::Sorted | Pairs::Unsorted | Pairs::KeptOrder | Pairs::Rightly => {}
     }
     if columns.len() % 2 == 1 {
         match scan.odd {

@@ -111,12 +111,21 @@ fn closest(face: &Face, at: Point) -> usize {
     (0..3).fold(0, |best, corner| if far(corner) < far(best) { corner } else { best })
 }
 
-/// The face's values at a point.
-pub(super) fn interpolated(face: &Face, corners: &Corners, rules: &Rules, at: Point) -> [f64; 3] {
-    let mut values = spread(face, corners, rules, at);
+/// The face's values at a point; where `kept` is given, it is what value / w is divided by.
+pub(super) fn interpolated(
+    face: &Face,
+    corners: &Corners,
+    rules: &Rules,
+    (at, kept): (Point, Option<f64>),
+) -> [f64; 3] {
+    let mut values = spread(face, corners, rules, (at, kept));
     for (number, value) in values.iter_mut().enumerate() {
         let all = [0, 1, 2].map(|corner| corners.values[corner][number]);
         let (low, high) = limits(all);
+        if rules.spares_exact && low == high {
+            *value = low;
+            continue;
+        }
         if rules.spares_constants && high - low < 1e-12 {
             *value = low;
         } else if rules.clamps {
@@ -130,7 +139,7 @@ pub(super) fn limits([a, b, c]: [f64; 3]) -> (f64, f64) {
     (a.min(b).min(c), a.max(b).max(c))
 }
 
-fn spread(face: &Face, corners: &Corners, rules: &Rules, at: Point) -> [f64; 3] {
+fn spread(face: &Face, corners: &Corners, rules: &Rules, (at, kept): (Point, Option<f64>)) -> [f64; 3] {
     let values = &corners.values;
     let weights = weights(face, at);
     let times = |numbers: [f64; 3], factor: f64| numbers.map(|number| number * factor);
@@ -138,8 +147,13 @@ fn spread(face: &Face, corners: &Corners, rules: &Rules, at: Point) -> [f64; 3] 
     let over_w = || weighted(&weighed(&|corner| corners.inverse_w[corner]), values);
     let here = match rules.over_w {
         OverW::WithDivisor => weighed(&|corner| corners.inverse_w[corner]).iter().sum(),
+        _ if rules.clamps => {
+            let (low, high) = limits([0, 1, 2].map(|corner| face.inverse_w_at(face.corners[corner])));
+            face.inverse_w_at(at).clamp(low, high)
+        }
         _ => face.inverse_w_at(at),
     };
+    let here = kept.unwrap_or(here);
     match rules.values {
         Interpolation::Perspective => times(over_w(), 1.0 / here),
         Interpolation::Affine => weighted(&weights, values),

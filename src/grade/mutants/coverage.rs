@@ -5,19 +5,21 @@ use crate::grade::rules::{Bounds, BoundsBy, Fill, Front, Pieces, Rounding, Ties,
 
 const PAGE: &str = "docs/conventions.md";
 
-const CORNER: [&str; 4] = [
+pub(super) const CORNER: [&str; 4] = [
     "samples at the corner",
     "Samples are asked for at (x, y), their upper left corner.",
     "The sample (x, y) has its center at (x + 0.5, y + 0.5): ask there.",
     PAGE,
 ];
-const CENTER_LOST: [&str; 4] = [
+pub(super) const FAR_CORNER: [&str; 4] =
+    ["samples at the far corner", "Samples are asked for at (x + 1, y + 1).", CORNER[2], PAGE];
+pub(super) const CENTER_LOST: [&str; 4] = [
     "samples half beside the center",
     "x or y is asked for half a sample beside the center.",
     "The center is (x + 0.5, y + 0.5).",
     PAGE,
 ];
-const OFF_CENTER: [&str; 4] = [
+pub(super) const OFF_CENTER: [&str; 4] = [
     "samples a little beside the center",
     "Samples are asked for less than half a sample beside their centers.",
     "The sample (x, y) has its center at (x + 0.5, y + 0.5): ask there.",
@@ -117,9 +119,7 @@ const SMALL: [&str; 4] = [
 pub(super) const MUTANTS: &[Mutant] = &[
     mutant(CORNER, |rules| (rules.cover_at, rules.value_at) = ((0.0, 0.0), (0.0, 0.0))),
     mutant(CORNER, |rules| rules.cover_at = (0.0, 0.0)),
-    mutant(["samples at the far corner", "Samples are asked for at (x + 1, y + 1).", CORNER[2], PAGE], |rules| {
-        rules.cover_at = (1.0, 1.0);
-    }),
+    mutant(FAR_CORNER, |rules| rules.cover_at = (1.0, 1.0)),
     mutant(CENTER_LOST, |rules| rules.cover_at = (0.5, 0.0)),
     mutant(CENTER_LOST, |rules| rules.cover_at = (0.0, 0.5)),
     mutant(CENTER_LOST, |rules| (rules.cover_at, rules.value_at) = ((0.5, 0.0), (0.5, 0.0))),
@@ -275,7 +275,7 @@ pub(super) const MUTANTS: &[Mutant] = &[
 ];
 
 /// Triangles from the first corner, where a second one takes back: right, whatever the outline.
-const FAN: Pieces = Pieces::Fan { from: 0, skipped: 0, lost: 0, toggles: true };
+const FAN: Pieces = Pieces::Fan { from: 0, skipped: 0, lost: 0, toggles: true, of_all: true };
 
 const fn bounds(lost: [i32; 4], by: BoundsBy) -> Bounds {
     Bounds { lost, by }

@@ -57,7 +57,7 @@ pub(super) const MUTANTS: &[Mutant] = &[
     mutant(CLEAR, |rules| rules.clear = 1.0),
     mutant(CLEAR, |rules| rules.clear = 0.01),
     mutant(CLEAR, |rules| rules.clear = 0.1),
-    mutant(CORNER_DEPTH, |rules| rules.depth = DepthFrom::FirstCorner),
+    mutant(CORNER_DEPTH, |rules| rules.depth = DepthFrom::Corner(0)),
     mutant(CORNER_DEPTH, |rules| rules.depth = DepthFrom::NearestCorner),
     mutant(CORNER_DEPTH, |rules| rules.depth = DepthFrom::MeanCorner),
     mutant(

@@ -11,12 +11,20 @@ const SHIFTED: [&str; 4] = [
     "The first column and the first row are number 0.",
     PAGE,
 ];
-const BORDER: [&str; 4] = [
+pub(super) const BORDER: [&str; 4] = [
     "border of the picture left out",
-    "The last (or first) column or row of the picture is never drawn.",
+    "The last or first column or row of the picture (or several of them) is never drawn.",
     "Columns are 0 to width - 1, rows 0 to height - 1, all included.",
     PAGE,
 ];
+/// Also of rows that are as long as the picture is high.
+pub(super) const SQUARE: [&str; 4] = [
+    "square pictures only",
+    "Width and height are taken for equal, or exchanged: right only where they are the same.",
+    "Columns go to width - 1, rows to height - 1; a pixel stands at y * width + x.",
+    PAGE,
+];
+
 pub(super) const MUTANTS: &[Mutant] = &[
     mutant(["nothing drawn", "No polygon is drawn.", "Put a fragment on every covered sample.", PAGE], |rules| {
         (rules.fill, rules.lines.shape) = (Fill::Nothing, Shape::Nothing)
@@ -47,15 +55,7 @@ pub(super) const MUTANTS: &[Mutant] = &[
     mutant(BORDER, |rules| rules.border = Border::LastBoth),
     mutant(BORDER, |rules| rules.border = Border::FirstColumn),
     mutant(BORDER, |rules| rules.border = Border::FirstRow),
-    mutant(
-        [
-            "square pictures only",
-            "Width and height are taken for equal: what lies beyond the smaller of them is not drawn.",
-            "Columns go to width - 1, rows to height - 1.",
-            PAGE,
-        ],
-        |rules| rules.border = Border::BeyondSquare,
-    ),
+    mutant(SQUARE, |rules| rules.border = Border::BeyondSquare),
     mutant(
         [
             "background ignored",

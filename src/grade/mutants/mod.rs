@@ -6,12 +6,14 @@
 //!
 //! Why mutants of the oracle and not of a rasterizer: one rule, one change, no side effect of how a loop happens to be written.
 
+mod areas;
 mod carried;
 mod color;
 mod coverage;
 mod depth;
 mod drawing;
 mod highlight;
+mod kept;
 mod light;
 mod lines;
 mod list;
@@ -19,6 +21,7 @@ mod normal;
 mod pieces;
 mod pixel;
 mod run;
+mod shades;
 mod spans;
 mod value;
 
@@ -39,6 +42,10 @@ pub struct Mutant {
     pub read: &'static str,
     /// The change.
     pub change: fn(&mut Rules),
+    /// A change with a number in it, and that number.
+    pub with: Option<(fn(&mut Rules, f64), f64)>,
+    /// What else goes with it in some programs, and is no mistake, or follows from this one.
+    pub beside: Option<fn(&mut Rules)>,
 }
 
 /// All of them.
@@ -48,7 +55,8 @@ pub fn all() -> Vec<Mutant> {
     let covered = [pieces::MUTANTS, spans::MUTANTS, list::MUTANTS].concat();
     let values = [value::MUTANTS, carried::MUTANTS, run::MUTANTS].concat();
     let light = [light::MUTANTS, normal::MUTANTS, highlight::MUTANTS].concat();
-    [first, covered, values, light, pixel::MUTANTS.to_vec(), lines::all()].concat()
+    let programs = [areas::all(), kept::all(), shades::all()].concat();
+    [first, covered, values, light, pixel::MUTANTS.to_vec(), lines::all(), programs].concat()
 }
 
 /// Those that may change a picture of `lab`: where no case has lines, no mistake about lines needs to be tried; where no aspect is about
@@ -74,7 +82,10 @@ impl Mutant {
     #[must_use]
     pub fn is_about_range(&self) -> bool {
         let (changed, right) = (self.applied_to(&Rules::default()), Rules::default());
-        let is_kept_in_steps = matches!(changed.depth, DepthFrom::Steps(_) | DepthFrom::RoundSteps(_));
+        let is_kept_in_steps = matches!(
+            changed.depth,
+            DepthFrom::Steps(_) | DepthFrom::RoundSteps(_) | DepthFrom::Wraps(..) | DepthFrom::DistanceSteps(_)
+        );
         let numbers = |rules: &Rules| [rules.margin, rules.limit, rules.capped];
         is_kept_in_steps || numbers(&changed) != numbers(&right)
     }
@@ -84,6 +95,12 @@ impl Mutant {
     pub fn applied_to(&self, rules: &Rules) -> Rules {
         let mut changed = rules.clone();
         (self.change)(&mut changed);
+        if let Some((change, number)) = self.with {
+            change(&mut changed, number);
+        }
+        if let Some(change) = self.beside {
+            change(&mut changed);
+        }
         changed
     }
 }
@@ -91,5 +108,20 @@ impl Mutant {
 /// Name, cause, rule and page, for the lists of this folder.
 const fn mutant(words: [&'static str; 4], change: fn(&mut Rules)) -> Mutant {
     let [name, cause, rule, read] = words;
-    Mutant { name, cause, rule, read, change }
+    Mutant { name, cause, rule, read, change, with: None, beside: None }
+}
+
+/// One mistake with each of some numbers in it.
+fn family(words: [&'static str; 4], numbers: &[f64], change: fn(&mut Rules, f64)) -> Vec<Mutant> {
+    let one = |&number: &f64| Mutant { with: Some((change, number)), ..mutant(words, |_| ()) };
+    numbers.iter().map(one).collect()
+}
+
+/// Mistakes, each with each of what may go with it.
+fn each_with(mutants: &[Mutant], besides: &[fn(&mut Rules)]) -> Vec<Mutant> {
+    let with = |beside: &fn(&mut Rules)| {
+        let beside = *beside;
+        mutants.iter().map(move |mutant| Mutant { beside: Some(beside), ..*mutant })
+    };
+    besides.iter().flat_map(with).collect()
 }

@@ -110,5 +110,5 @@ pub(super) const MUTANTS: &[Mutant] = &[
 ];
 
 const fn fan(from: usize, skipped: usize, lost: usize, toggles: bool) -> Pieces {
-    Pieces::Fan { from, skipped, lost, toggles }
+    Pieces::Fan { from, skipped, lost, toggles, of_all: true }
 }

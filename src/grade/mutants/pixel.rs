@@ -70,8 +70,8 @@ const POWERS: [&str; 4] = [
 ];
 const TENT: [&str; 4] = [
     "weighted samples",
-    "Samples near the middle of a pixel count more.",
-    "All A x A samples of a pixel count alike.",
+    "The samples of a pixel do not count alike: those near its middle, or those that come last, count more.",
+    "All A x A samples of a pixel count alike: add them up, and divide once.",
     PAGE,
 ];
 const LEVELS: [&str; 4] = [
@@ -106,7 +106,7 @@ const SPREAD: [&str; 4] = [
 ];
 const DEPTH: [&str; 4] = [
     "one depth a pixel",
-    "Depth is taken once a pixel, not at every sample.",
+    "Depth is taken or kept once a pixel, not at every sample.",
     "Every sample has a depth of its own.",
     PAGE,
 ];

@@ -35,7 +35,19 @@ const LEVEL: [&str; 4] = [
     "Level edges cross no scan line: leave them out.",
     PAGE,
 ];
-const FORGOTTEN: [&str; 4] = [
+pub(super) const SHORT: [&str; 4] = [
+    "short edges lost",
+    "Edges that are less than a row high are left out, as if they were level.",
+    "An edge is left out when it crosses the center line of no row: its height does not matter.",
+    PAGE,
+];
+pub(super) const NARROW: [&str; 4] = [
+    "narrow edges lost",
+    "Edges that are less than a column wide are left out, or taken for upright ones.",
+    "Every edge that crosses the center line of a row counts, however steep.",
+    PAGE,
+];
+pub(super) const FORGOTTEN: [&str; 4] = [
     "slope forgotten",
     "x of one end of an edge is used on all its lines.",
     "On line y an edge is at x = top.x + (y + 0.5 - top.y) * dx / dy.",

@@ -1,0 +1,190 @@
+//! Program rules: what programs do to whole polygons and pictures, right or with a slip: shapes, masks, blocks, memory.
+//!
+//! Part of [`super::rules`]; [`super::shape`], [`super::covering`], [`super::memory`] and [`super::stack`] compute with them.
+//!
+//! Space: samples.
+
+use super::case::Face;
+
+/// How a polygon is changed before it is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shape {
+    /// It is cut into triangles from its first corner, each with its own depth: right for convex outlines.
+    pub is_fan: bool,
+    /// Depth and values go with corners that were rounded or turned.
+    pub planes_follow: bool,
+    /// Corners are turned; unless planes follow, they stay.
+    pub turned: Turned,
+}
+
+impl Shape {
+    /// It stays.
+    pub const RIGHT: Shape = Shape { is_fan: false, planes_follow: false, turned: Turned::No };
+}
+
+/// How corners are turned.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Turned {
+    /// Not at all.
+    No,
+    /// y runs up.
+    UpsideDown,
+    /// x runs to the left.
+    Mirrored,
+    /// Both.
+    Half,
+    /// x and y are exchanged.
+    Transposed,
+}
+
+/// What of one polygon's samples is left to the next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stencil {
+    /// Nothing.
+    Cleared,
+    /// A mask that is turned over.
+    Toggled,
+    /// A mask that is added to.
+    Added,
+    /// First and last column of every row.
+    Rows,
+}
+
+/// What is decided for a block of samples at once.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Block {
+    /// Its sides.
+    pub size: (i32, i32),
+    /// The sample of it that decides, counted from its first.
+    pub at: (i32, i32),
+    /// Blocks begin at the polygon's bounds, not at those of the picture.
+    pub from_bounds: bool,
+    /// It decides coverage.
+    pub of_cover: bool,
+    /// Values.
+    pub of_values: bool,
+    /// Depth.
+    pub of_depth: bool,
+}
+
+impl Block {
+    /// Nothing is.
+    pub const ONE: Block =
+        Block { size: (1, 1), at: (0, 0), from_bounds: false, of_cover: false, of_values: false, of_depth: false };
+
+    /// The sample that decides about another.
+    pub(super) fn of(self, face: &Face, (x, y): (i32, i32)) -> (i32, i32) {
+        let least = |pick: fn(&(f64, f64)) -> f64| face.corners.iter().map(pick).fold(f64::INFINITY, f64::min).floor() as i32;
+        let (left, top) = if self.from_bounds { (least(|corner| corner.0), least(|corner| corner.1)) } else { (0, 0) };
+        (x - (x - left).rem_euclid(self.size.0) + self.at.0, y - (y - top).rem_euclid(self.size.1) + self.at.1)
+    }
+}
+
+/// Where the depth of a sample is taken.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum DepthPoint {
+    /// Where values are.
+    Own,
+    /// So far beside that.
+    Beside(f64, f64),
+    /// At this x.
+    AtX(f64),
+    /// At this y.
+    AtY(f64),
+    /// At one place.
+    At(f64, f64),
+}
+
+impl DepthPoint {
+    pub(super) fn of(self, (x, y): (f64, f64)) -> (f64, f64) {
+        match self {
+            DepthPoint::Own => (x, y),
+            DepthPoint::Beside(dx, dy) => (x + dx, y + dy),
+            DepthPoint::AtX(fixed) => (fixed, y),
+            DepthPoint::AtY(fixed) => (x, fixed),
+            DepthPoint::At(x, y) => (x, y),
+        }
+    }
+}
+
+/// Which depth is kept at a sample for those that come later.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kept {
+    /// That of what is shown.
+    Shown,
+    /// That of what was shown first.
+    First,
+    /// That of whatever came last, shown or not.
+    Latest,
+    /// The sum of all that were shown.
+    Sum,
+    /// The farthest that was shown.
+    Farthest,
+    /// The nearest of all, shown or not.
+    Nearest,
+}
+
+impl Kept {
+    /// What is kept when a face at some depth came, and showed or not.
+    pub(super) fn after(self, kept: Option<f64>, (depth, is_shown): (f64, bool)) -> Option<f64> {
+        let shown = if is_shown { Some(depth) } else { kept };
+        match self {
+            Kept::Shown => shown,
+            Kept::First => kept.or(shown),
+            Kept::Latest => Some(depth),
+            Kept::Sum if is_shown => Some(kept.unwrap_or(0.0) + depth),
+            Kept::Sum => kept,
+            Kept::Farthest if is_shown => Some(kept.map_or(depth, |kept| kept.min(depth))),
+            Kept::Farthest => kept,
+            Kept::Nearest => Some(kept.map_or(depth, |kept| kept.max(depth))),
+        }
+    }
+}
+
+/// Where depth and color of a sample are kept.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Memory {
+    /// Depth.
+    pub depth_at: Address,
+    /// Color; it is read at its own place.
+    pub color_at: Address,
+}
+
+impl Memory {
+    /// Each at its own place.
+    pub const RIGHT: Memory = Memory { depth_at: Address::Own, color_at: Address::Own };
+}
+
+/// The address of a sample.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Address {
+    /// y * width + x.
+    Own,
+    /// y * height + x.
+    TimesHeight,
+    /// x * height + y.
+    ByColumns,
+    /// x * width + y.
+    ColumnTimesWidth,
+    /// y * (width + this) + x.
+    Stride(i32),
+    /// One for all samples of a pixel.
+    Pixel,
+    /// One for all samples of a row.
+    Row,
+    /// One for all samples of a column.
+    Column,
+    /// One for all.
+    One,
+}
+
+/// By how much a sample may lie outside and still be inside; less than nothing makes polygons smaller.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Slack {
+    /// Each weight of a triangle may be so small.
+    Weight(f64),
+    /// Each cross product may.
+    Cross(f64),
+    /// Each distance to an edge may.
+    Distance(f64),
+}
