@@ -53,8 +53,21 @@ impl Shader {
 
     /// As [`Shader::light`]; highlights are added to `powers`, for many points to be counted at once ([`Shader::add_powers`]).
     #[inline]
-    pub(crate) fn light_counting(&self, surface: u32, (eye, normal): (Vec3, Vec3), powers: &mut u64) -> Rgb {
-        let surface = &self.surfaces[surface as usize];
+    pub(crate) fn light_counting(&self, surface: u32, point: (Vec3, Vec3), powers: &mut u64) -> Rgb {
+        self.light_of(&self.surfaces[surface as usize], point, powers)
+    }
+
+    /// As [`Shader::light`], where the color of the surface is multiplied with `color`, linear light.
+    #[must_use]
+    pub fn light_colored(&self, surface: u32, (eye, normal): (Vec3, Vec3), color: Rgb) -> Rgb {
+        let mut powers = 0;
+        let light = self.light_of(&self.surfaces[surface as usize].colored(color), (eye, normal), &mut powers);
+        self.add_powers(powers);
+        light
+    }
+
+    #[inline]
+    fn light_of(&self, surface: &SurfaceShading, (eye, normal): (Vec3, Vec3), powers: &mut u64) -> Rgb {
         let view = unit(-eye).unwrap_or(normal);
         let has_highlight = surface.specular > 0.0 || self.specular_everywhere;
         let (mut diffuse, mut specular) = (Rgb::BLACK, Rgb::BLACK);
@@ -113,6 +126,11 @@ impl Shader {
                 // Interpolated normals are shorter than 1 between the vertices.
                 let normal = unit(Vec3::new(nx, ny, nz)).unwrap_or(Vec3::NEG_Z);
                 self.light_counting(surface, (Vec3::new(ex, ey, ez), normal), powers).to_f32()
+            }
+            [nx, ny, nz, ex, ey, ez, r, g, b] => {
+                let normal = unit(Vec3::new(nx, ny, nz)).unwrap_or(Vec3::NEG_Z);
+                let surface = self.surfaces[surface as usize].colored(Rgb::new(r, g, b));
+                self.light_of(&surface, (Vec3::new(ex, ey, ez), normal), powers).to_f32()
             }
             _ => self.line_color,
         }

@@ -47,6 +47,12 @@ impl SurfaceShading {
         self.reflection == Reflection::Nff
     }
 
+    /// The same surface in its color times `color`, linear light; highlights keep theirs.
+    #[inline]
+    pub(super) fn colored(&self, color: Rgb) -> SurfaceShading {
+        SurfaceShading { ambient: self.ambient * color, diffuse: self.diffuse * color, ..*self }
+    }
+
     /// How much light leaves where the cosine between the mirrored light and the eye is `cosine`, above 0, at most 1.
     pub(super) fn highlight(&self, cosine: f64) -> f64 {
         match self.reflection {
