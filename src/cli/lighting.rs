@@ -25,6 +25,9 @@ pub(super) fn surface_words(surface: &Surface) -> String {
         Reflection::Phong => ", phong".to_string(),
         Reflection::Basic { c3 } => format!(", basic c3 {c3}"),
     };
+    if !surface.mesh.colors.is_empty() {
+        words += ", colors at vertices";
+    }
     if surface.two_sided {
         words += ", two-sided";
     }

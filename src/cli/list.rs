@@ -43,7 +43,13 @@ fn scenes() -> String {
         let (polygons, shapes) = (counts.p + counts.pp, counts.s + counts.c);
         text += &format!("{:<9} {size:>5} {polygons:>9} {shapes:>7}  {}\n", scene.name, scene.summary);
     }
-    text + "Render one with `farop render spd:NAME` or, of another size, `farop render spd:NAME:SIZE`.\n"
+    text += "\nbench scene  sizes (triangles)                     what there is to see\n";
+    for scene in spd::bench::BENCH_SCENES {
+        let sizes: Vec<_> = scene.sizes.iter().map(|(name, _)| *name).collect();
+        let sizes = if sizes.is_empty() { "-".to_string() } else { sizes.join(" ") };
+        text += &format!("{:<12} {sizes:<33} {}\n", scene.name, scene.summary);
+    }
+    text + "Render one with `farop render spd:NAME` or, of another size, `farop render spd:NAME:SIZE`; those for measuring are `bench:NAME:SIZE`.\n"
 }
 
 fn rasterizers(registry: &Registry) -> String {

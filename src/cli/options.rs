@@ -44,7 +44,7 @@ pub(super) struct PictureOptions {
     /// perspective, screen, or scanline: along edges and scan lines of whole polygons, as in 1971
     #[arg(long, value_name = "HOW", default_value = "perspective")]
     interpolation: Interpolation,
-    /// Normal of flat shading: face, or sipp: the mean one at the first vertex clipping leaves
+    /// Normal of flat shading: face, vertex (the first's own), or sipp: the mean one at the first vertex clipping leaves
     #[arg(long, value_name = "RULE", default_value = "face")]
     flat: FlatRule,
     /// over, or additive (SIPP's rule)

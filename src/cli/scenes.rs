@@ -8,18 +8,18 @@ use crate::raster::external::External;
 use crate::raster::{PutCounts, Rasterizer, Registered, Registry};
 use crate::report::{StageTime, StageTimer};
 use crate::scene::{NormalSource, Scene};
-use crate::spd::{Curves, SpdScene};
+use crate::spd::{Curves, SpdScene, bench};
 use clap::Args;
 use std::path::Path;
 
 /// Which scenes, and how their text is read.
 #[derive(Args, Clone, Debug)]
 pub(super) struct SceneOptions {
-    /// Scene files, `-`, or built-in ones, spd:NAME[:SIZE]; several merge
+    /// Scene files, `-`, or built-in ones, spd:NAME[:SIZE] and bench:NAME[:SIZE]; several merge
     #[arg(required = true, value_name = "SCENE")]
     pub scenes: Vec<String>,
     /// Format of standard input and of unknown endings
-    #[arg(long, value_name = "FORMAT", value_parser = ["nff", "sipp"])]
+    #[arg(long, value_name = "FORMAT", value_parser = ["nff", "sipp", "ftri"])]
     format: Option<String>,
     /// file, or auto: turn polygons round whose normals point the other way
     #[arg(long, value_name = "RULE", default_value = "file", value_parser = ["file", "auto"])]
@@ -70,12 +70,15 @@ impl SceneOptions {
             winding: if self.winding == "auto" { Winding::Auto } else { Winding::File },
             polygon_normals: if self.normals == "smooth" { NormalSource::Averaged } else { NormalSource::Facet },
         };
-        let parsed = match name.strip_prefix("spd:") {
-            Some(built_in) => {
+        let parsed = match name.split_once(':') {
+            Some(("spd", built_in)) => {
                 let curves = resolution.map_or(Curves::Kept, Curves::Patches);
                 parse::read_nff(name, &built_in_text(built_in, curves)?, options)
             }
-            None => parse::load(Path::new(name), self.format.as_deref().and_then(Format::by_name), options),
+            Some(("bench", built_in)) => {
+                parse::scene_of_triangles(name, &bench::triangles(built_in).map_err(CliError::failed)?)
+            }
+            _ => parse::load(Path::new(name), self.format.as_deref().and_then(Format::by_name), options),
         };
         let parsed = parsed.map_err(|errors| CliError::Diagnosed(errors.render(error::stderr_has_color())))?;
         if !parsed.notices.is_empty() {

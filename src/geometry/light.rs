@@ -31,6 +31,10 @@ pub(super) struct Lighting {
     relight: bool,
     /// One color a polygon, from the mean normal at the first vertex that clipping leaves.
     sipp_flat: bool,
+    /// One color a polygon, from the first vertex's own normal.
+    vertex_flat: bool,
+    /// Numbers at a vertex: what clipping carries, and what must be alike where nothing varies.
+    carried: usize,
     /// Values run linearly on the screen.
     screen: bool,
     ambient: f64,
@@ -47,14 +51,20 @@ struct LightPlan {
 impl Lighting {
     pub fn new(plan: &Plan) -> Lighting {
         let choices = &plan.choices;
+        let relight = choices.clip_light == ClipLight::Relight && choices.shading == Shading::Gouraud;
+        let sipp_flat = choices.flat == FlatRule::Sipp;
+        // Where light comes after clipping, colors are carried beside normals until then.
+        let lit_late = relight || sipp_flat || choices.shading == Shading::Phong;
         Lighting {
             shading: choices.shading,
             needed: plan.needs.light,
             // Lines hide what they cross, whatever they are made of.
             blending: plan.needs.blending && choices.shading != Shading::Wire,
             specular: plan.needs.specular,
-            relight: choices.clip_light == ClipLight::Relight && choices.shading == Shading::Gouraud,
-            sipp_flat: choices.flat == FlatRule::Sipp,
+            relight,
+            sipp_flat,
+            vertex_flat: choices.flat == FlatRule::Vertex,
+            carried: if lit_late && plan.survey.colored_surfaces > 0 { 6 } else { 3 },
             screen: choices.interpolation != Interpolation::Perspective,
             ambient: plan.ambient,
             plan: LightPlan { encoding: choices.encoding, terms: choices.light_terms },
@@ -114,7 +124,12 @@ impl Lighting {
         }
         let face_normal = facing.normal_towards_eye();
         if self.shading == Shading::Flat && !self.sipp_flat {
-            let color = self.light(shader, part.shading, corners.eye[0], face_normal);
+            let first = corners.outline[0] as usize;
+            let own = eye_mesh.normals.get(first).filter(|_| self.vertex_flat && source != NormalSource::Facet);
+            let own = own.filter(|&&normal| normal != Vec3::ZERO);
+            let normal = own.map_or(face_normal, |&normal| if facing.is_back() { -normal } else { normal });
+            let factor = eye_mesh.colors.get(first).copied();
+            let color = self.light(shader, part.shading, (corners.eye[0], normal), factor);
             corners.clip.iter_mut().for_each(|vertex| write(vertex, color.to_array()));
             return 3;
         }
@@ -126,18 +141,22 @@ impl Lighting {
             let normal = shared.map_or(face_normal, |normal| if facing.is_back() { -normal } else { normal });
             if self.relight || self.sipp_flat || self.shading == Shading::Phong {
                 write(vertex, normal.to_array());
+                let color = eye_mesh.colors.get(index).copied().unwrap_or(Rgb::WHITE);
+                vertex.attributes[3..self.carried].copy_from_slice(&color.to_array()[..self.carried - 3]);
                 continue;
             }
             // Light a shared vertex once for each side it is seen from.
             let side = usize::from(facing.is_back());
             let known = shared.and_then(|_| eye_mesh.lit[side][index]);
-            let color = known.unwrap_or_else(|| self.light(shader, part.shading, corners.eye[corner], normal));
+            let point = (corners.eye[corner], normal);
+            let factor = eye_mesh.colors.get(index).copied();
+            let color = known.unwrap_or_else(|| self.light(shader, part.shading, point, factor));
             if shared.is_some() {
                 eye_mesh.lit[side][index] = Some(color);
             }
             write(vertex, color.to_array());
         }
-        3
+        self.carried
     }
 
     /// FAROP's order: lights the vertices that are left after clipping, from their normals; SIPP's flat shading the first.
@@ -148,9 +167,10 @@ impl Lighting {
         let only_first = self.sipp_flat;
         let mut light = |vertex: &ClipVertex| {
             let eye = Vec3::new(vertex.position.x / kx, vertex.position.y / ky, vertex.position.z);
-            let [x, y, z, ..] = vertex.attributes;
+            let [x, y, z, r, g, b, ..] = vertex.attributes;
             let normal = unit(Vec3::new(x, y, z)).unwrap_or(Vec3::NEG_Z);
-            self.light(shader, surface, eye, normal).to_array()
+            let factor = (self.carried > 3).then(|| Rgb::new(r, g, b));
+            self.light(shader, surface, (eye, normal), factor).to_array()
         };
         if only_first {
             let color = light(&clipped[0]);
@@ -167,16 +187,21 @@ impl Lighting {
 
     /// Whether what varies is linear over the polygon: all values equal, or three vertices before clipping.
     pub fn is_affine(&self, corners: &[ClipVertex], clipped: &[ClipVertex]) -> bool {
-        let values = |vertex: &ClipVertex| [vertex.attributes[0], vertex.attributes[1], vertex.attributes[2]];
-        let equal = |vertices: &[ClipVertex]| vertices.windows(2).all(|pair| values(&pair[0]) == values(&pair[1]));
+        let values = |vertex: &ClipVertex, number: usize| vertex.attributes[number];
+        let same = |pair: &[ClipVertex]| (0..self.carried).all(|k| values(&pair[0], k) == values(&pair[1], k));
+        let equal = |vertices: &[ClipVertex]| vertices.windows(2).all(same);
         // Lit anew, or linear on the screen, the pieces of a triangle are not; else clipping changes nothing.
         let decided_on = if self.belongs_to_clipped() { clipped } else { corners };
         decided_on.len() == 3 || equal(decided_on)
     }
 
-    fn light(&mut self, shader: &Shader, surface: u32, eye: Vec3, normal: Vec3) -> Rgb {
+    /// The light at a point (eye, normal) of a surface whose vertices may have colors of their own.
+    fn light(&mut self, shader: &Shader, surface: u32, point: (Vec3, Vec3), color: Option<Rgb>) -> Rgb {
         self.vertices_lit += 1;
-        shader.light(surface, eye, normal)
+        match color {
+            Some(color) => shader.light_colored(surface, point, color),
+            None => shader.light(surface, point.0, point.1),
+        }
     }
 }
 

@@ -131,7 +131,7 @@ impl Projector {
         if outline.from_clipped {
             return;
         }
-        for number in 0..self.varying.count().min(3) {
+        for number in 0..self.varying.carried() {
             let value = outline.corners[0].attributes[number];
             if outline.corners.iter().all(|corner| corner.attributes[number] == value) {
                 self.clipped.iter_mut().for_each(|vertex| vertex.attributes[number] = value);
@@ -163,8 +163,9 @@ impl Projector {
     fn push_values(&self, corner: usize, list: &mut DrawList) {
         let values = &self.clipped[corner].attributes;
         list.values.extend_from_slice(&values[..self.varying.count().min(3)]);
-        if self.varying == Varying::NormalEye {
+        if self.varying.has_normals() {
             list.values.extend_from_slice(&self.eye[corner].to_array());
+            list.values.extend_from_slice(&values[3..self.varying.carried()]);
         }
     }
 
@@ -186,7 +187,10 @@ impl Projector {
         let corners = corners.chain(triangle.iter().map(|&corner| corner as usize).filter(|_| !outline.affine));
         // Over more corners than a plane has room for, the scan line decides (`ScreenPolygon::values`).
         let along_scan_lines = self.scan_line && !outline.affine;
-        for number in 0..3 {
+        for number in 0..self.varying.carried() {
+            if number == 3 {
+                list.planes.extend(self.eye_point_planes());
+            }
             let value = |corner: usize| (self.clipped[corner].attributes[number], self.clipped[corner].position.z);
             let plane = match along_scan_lines {
                 true => self.scan_line_rule(number),
@@ -201,21 +205,21 @@ impl Projector {
     }
 
     /// Three corners that fix what is linear over the polygon, in eye space, with what varies at them.
-    fn three_corners(&self, outline: &Outline<'_>, triangle: [u32; 3]) -> [(Vec3, [f64; 3]); 3] {
+    fn three_corners(&self, outline: &Outline<'_>, triangle: [u32; 3]) -> [(Vec3, [f64; 6]); 3] {
         let before = outline.affine && !outline.from_clipped;
         let vertices = if before { outline.corners } else { &self.clipped };
         triangle.map(|corner| {
             let vertex = &vertices[corner as usize];
-            let [a, b, c, ..] = vertex.attributes;
+            let [a, b, c, d, e, f, ..] = vertex.attributes;
             let eye = if before { self.to_eye(vertex) } else { self.eye[corner as usize] };
-            (eye, [a, b, c])
+            (eye, [a, b, c, d, e, f])
         })
     }
 
     /// The plane of one number: value / w in space, or the value itself on the screen.
     fn value_plane(
         &self,
-        three: &[(Vec3, [f64; 3]); 3],
+        three: &[(Vec3, [f64; 6]); 3],
         inverse_w: Vec3,
         number: usize,
         at_corners: impl Iterator<Item = (f64, f64)> + Clone,

@@ -9,6 +9,7 @@
 //!
 //! Space: local -> world -> (world - eye) -> eye space, in f64.
 
+use crate::color::Rgb;
 use crate::math::{Affine3, Mat3, Vec3, unit};
 use crate::model::segments::Lens;
 use crate::model::{self, Detail};
@@ -22,10 +23,12 @@ pub(super) struct EyeMesh {
     pub positions: Vec<Vec3>,
     /// Unit normals on the front side; zero where none is given. Empty where nothing needs them.
     pub normals: Vec<Vec3>,
+    /// Factors on the color of the surface, linear light; empty where the mesh has none, or none is needed.
+    pub colors: Vec<Rgb>,
     /// Bits of the planes a vertex lies outside of; empty where no plane needs testing.
     codes: Vec<u8>,
     /// Light of a vertex seen from the front and from the back, once it was asked for.
-    pub lit: [Vec<Option<crate::color::Rgb>>; 2],
+    pub lit: [Vec<Option<Rgb>>; 2],
     local_normals: Vec<Vec3>,
 }
 
@@ -43,7 +46,9 @@ impl EyeMesh {
             side.resize(if plan.needs.light { mesh.vertices.len() } else { 0 }, None);
         });
         self.normals.clear();
+        self.colors.clear();
         if plan.needs.light {
+            self.colors.extend(mesh.colors.iter().map(|&color| plan.choices.encoding.decode(color)));
             self.turn_normals(mesh, world_from_local, plan, work);
         }
     }
@@ -79,7 +84,7 @@ impl EyeMesh {
         let view = &plan.view;
         // SIPP knew no facets: its flat shading takes the mean there, too.
         let with_mean: &[NormalSource] = match plan.choices.flat {
-            FlatRule::Face => &[NormalSource::Averaged],
+            FlatRule::Face | FlatRule::Vertex => &[NormalSource::Averaged],
             FlatRule::Sipp => &[NormalSource::Averaged, NormalSource::Facet],
         };
         model::vertex_normals(mesh, with_mean, &mut self.local_normals);

@@ -5,25 +5,27 @@
 //! Gzip is recognized by its first two bytes, whatever the name says: files get renamed, bytes do not.
 
 use super::input::{read_annotated_source, read_source};
-use super::{ParseOptions, Parsed, nff, sipp};
+use super::{INPUT_LIMIT, ParseOptions, Parsed, ftri, nff, sipp};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, printable, suggest};
 use flate2::bufread::MultiGzDecoder;
 use std::fs::File;
 use std::io::{BufRead, BufReader, ErrorKind, Read, stdin};
 use std::path::Path;
 
-/// The scene formats that are text.
+/// The scene formats.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
     /// Eric Haines' Neutral File Format.
     Nff,
     /// farop's language for scenes as SIPP has them.
     Sipp,
+    /// Triangles in binary, for measuring.
+    Ftri,
 }
 
 impl Format {
     /// All formats, by the name that is also their file extension.
-    pub const ALL: [(&'static str, Format); 2] = [("nff", Format::Nff), ("sipp", Format::Sipp)];
+    pub const ALL: [(&'static str, Format); 3] = [("nff", Format::Nff), ("sipp", Format::Sipp), ("ftri", Format::Ftri)];
 
     /// The format of that name, case aside.
     #[must_use]
@@ -49,47 +51,64 @@ pub fn load(path: &Path, format: Option<Format>, options: ParseOptions) -> Resul
     if name == "-" {
         let Some(format) = format else {
             let error = Diagnostic::error("standard input has no name that says what format it is");
-            return Err(failure(error.help("add `--format nff` or `--format sipp`")));
+            return Err(failure(error.help("add `--format nff`, `--format sipp` or `--format ftri`")));
         };
-        let source = read("<stdin>", stdin().lock(), Some(format))?;
-        return parse(&source, Path::new(""), format, options);
+        return load_from(("<stdin>", stdin().lock()), Path::new(""), format, options);
     }
     // A file that is not there is told before a format that is not known.
     let file = open(path, &name)?;
     let Some(format) = format.or_else(|| Format::of_path(path)) else {
         let error = Diagnostic::error(format!("`{name}` has no ending that says what format it is"));
         return Err(failure(error.help(
-            "known are `.nff`, `.sipp` and both with `.gz` behind; if it is NFF all the same, add `--format nff`",
+            "known are `.nff`, `.sipp`, `.ftri` and all with `.gz` behind; if it is NFF all the same, add `--format nff`",
         )));
     };
-    let source = read(&name, BufReader::new(file), Some(format))?;
-    parse(&source, path.parent().unwrap_or(Path::new("")), format, options)
+    load_from((&name, BufReader::new(file)), path.parent().unwrap_or(Path::new("")), format, options)
+}
+
+/// Reads a scene; `folder` is where files named in it are looked for.
+fn load_from(
+    (name, reader): (&str, impl BufRead),
+    folder: &Path,
+    format: Format,
+    options: ParseOptions,
+) -> Result<Parsed, Diagnostics> {
+    let reader = unpacked(name, reader)?;
+    match format {
+        // What farop has to add to NFF stands in comments.
+        Format::Nff => nff::read(&read_annotated_source(name, reader)?, options),
+        Format::Sipp => sipp::read(&read_source(name, reader)?, folder, options),
+        Format::Ftri => ftri::read(name, &read_bytes(name, reader)?),
+    }
 }
 
 /// Reads a file that a scene names and that is no scene itself, plain or gzip.
 pub(super) fn source(path: &Path) -> Result<Source, Diagnostics> {
     let name = printable(path.as_os_str().as_encoded_bytes());
-    read(&name, BufReader::new(open(path, &name)?), None)
+    read_source(&name, unpacked(&name, BufReader::new(open(path, &name)?))?)
 }
 
-fn read(name: &str, mut reader: impl BufRead, format: Option<Format>) -> Result<Source, Diagnostics> {
+/// The reader itself, or what unpacks it.
+fn unpacked<'a>(name: &str, mut reader: impl BufRead + 'a) -> Result<Box<dyn Read + 'a>, Diagnostics> {
     let start = reader.fill_buf();
-    let start = start.map_err(|error| failure(Diagnostic::error(format!("cannot read `{name}`: {error}"))))?;
-    let reader: Box<dyn Read> =
-        if start.starts_with(b"\x1F\x8B") { Box::new(MultiGzDecoder::new(reader)) } else { Box::new(reader) };
-    match format {
-        // What farop has to add to NFF stands in comments.
-        Some(Format::Nff) => read_annotated_source(name, reader),
-        Some(Format::Sipp) | None => read_source(name, reader),
-    }
+    let start = start.map_err(|error| unreadable(name, &error))?;
+    let is_packed = start.starts_with(b"\x1F\x8B");
+    Ok(if is_packed { Box::new(MultiGzDecoder::new(reader)) } else { Box::new(reader) })
 }
 
-/// `folder` is where files named in the scene are looked for.
-fn parse(source: &Source, folder: &Path, format: Format, options: ParseOptions) -> Result<Parsed, Diagnostics> {
-    match format {
-        Format::Nff => nff::read(source, options),
-        Format::Sipp => sipp::read(source, folder, options),
+/// Everything up to [`INPUT_LIMIT`].
+fn read_bytes(name: &str, reader: impl Read) -> Result<Vec<u8>, Diagnostics> {
+    let mut bytes = Vec::new();
+    reader.take(INPUT_LIMIT + 1).read_to_end(&mut bytes).map_err(|error| unreadable(name, &error))?;
+    if bytes.len() as u64 > INPUT_LIMIT {
+        let error = Diagnostic::error(format!("`{name}` is larger than {INPUT_LIMIT} bytes (4 GiB)"));
+        return Err(failure(error.help("split the scene into several files: they merge")));
     }
+    Ok(bytes)
+}
+
+fn unreadable(name: &str, error: &std::io::Error) -> Diagnostics {
+    failure(Diagnostic::error(format!("cannot read `{name}`: {error}")))
 }
 
 /// Opens a file, or says what to do.

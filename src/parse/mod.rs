@@ -11,6 +11,7 @@ mod area;
 mod bezier;
 pub mod built_in;
 mod foreign;
+mod ftri;
 mod input;
 mod load;
 mod nff;
@@ -23,7 +24,7 @@ pub use input::{INPUT_LIMIT, LINE_LIMIT};
 pub use load::{Format, load};
 
 use crate::diagnostic::Diagnostics;
-use crate::scene::{Camera, NormalSource, Scene};
+use crate::scene::{Camera, NormalSource, Scene, Triangles};
 use std::path::Path;
 
 /// What the formats leave open.
@@ -85,6 +86,27 @@ impl Parsed {
 /// ```
 pub fn read_nff(name: &str, text: &[u8], options: ParseOptions) -> Result<Parsed, Diagnostics> {
     nff::read(&input::read_annotated_source(name, text)?, options)
+}
+
+/// Reads `.ftri` triangles from memory; `name` is what messages and [`Scene::files`] call them.
+///
+/// # Errors
+/// The mistake of the bytes, with its place: a file that is cut off, a size or an index that cannot be, matrices of no camera.
+///
+/// ```
+/// let error = farop::parse::read_ftri("a.ftri", b"FTRI1\0\0\0\x03").expect_err("it is cut off");
+/// assert!(error.to_string().contains("byte 9"));
+/// ```
+pub fn read_ftri(name: &str, bytes: &[u8]) -> Result<Parsed, Diagnostics> {
+    ftri::read(name, bytes)
+}
+
+/// The scene of `triangles`, the same as that of their file; `name` is what [`Scene::files`] calls it.
+///
+/// # Errors
+/// The matrices are none of a camera.
+pub fn scene_of_triangles(name: &str, triangles: &Triangles) -> Result<Parsed, Diagnostics> {
+    ftri::scene(name, triangles)
 }
 
 /// Reads a `.sipp` scene from memory; `name` is what messages and [`Scene::files`] call it.

@@ -182,6 +182,8 @@ named_choice! {
     FlatRule {
         /// The face's own, at the polygon's first vertex in the file: the same wherever the camera stands.
         Face = "face",
+        /// The first vertex's own, if it has one: what graphics hardware does.
+        Vertex = "vertex",
         /// SIPP's: the mean of the faces around it, at the first vertex that clipping leaves.
         Sipp = "sipp",
     }

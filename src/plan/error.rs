@@ -67,9 +67,9 @@ pub enum PlanError {
     /// A tessellation without segments.
     #[error("a resolution of {0}: it must be from 1 to 1000")]
     Resolution(u32),
-    /// SIPP's rule for flat shading under another shading.
-    #[error("--flat sipp is a rule for flat shading, and the shading is {0}: add -s flat, or leave --flat out")]
-    FlatRuleWithoutFlat(&'static str),
+    /// A rule for flat shading (the first name) under another shading (the second).
+    #[error("--flat {0} is a rule for flat shading, and the shading is {1}: add -s flat, or leave --flat out")]
+    FlatRuleWithoutFlat(&'static str, &'static str),
     /// Scan-line interpolation where nothing varies.
     #[error("--interpolation scanline has nothing to interpolate with {0} shading: choose -s gouraud or -s phong")]
     NothingToInterpolate(&'static str),

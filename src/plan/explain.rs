@@ -22,6 +22,7 @@ impl Plan {
         let mut rows = vec![self.clip_row(), self.light_row(), self.specular_row(), self.blending_row()];
         rows.push(self.depth_row());
         rows.push(self.split_row());
+        rows.extend(self.colors_row());
         rows.extend(self.faces_row());
         if self.survey.shapes > 0 {
             rows.push(self.shapes_row());
@@ -124,6 +125,18 @@ impl Plan {
             Split::NotAffine => format!("{} polygons stay whole", self.survey.polygons - many),
         };
         row("split", decision, reason, saving)
+    }
+
+    /// Only where the scene has any.
+    fn colors_row(&self) -> Option<PlanRow> {
+        let (colored, surfaces) = (self.survey.colored_surfaces, self.survey.surfaces);
+        let decision = match self.choices.shading {
+            Shading::Phong => "carried to every sample",
+            Shading::Gouraud | Shading::Flat => "in the light of the vertices",
+            Shading::Wire => "no",
+        };
+        let reason = format!("the vertices of {colored} of {surfaces} surfaces have colors of their own");
+        (colored > 0).then(|| row("colors", decision.into(), reason, String::new()))
     }
 
     /// Only where the scene says something about it.

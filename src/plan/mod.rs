@@ -41,6 +41,8 @@ pub enum Varying {
     Color,
     /// Unit normal and point in eye space, three numbers each: Phong.
     NormalEye,
+    /// The same, and a color that the light of the surface is multiplied with: Phong where vertices have colors.
+    NormalEyeColor,
 }
 
 impl Varying {
@@ -51,7 +53,24 @@ impl Varying {
             Varying::Nothing => 0,
             Varying::Color => 3,
             Varying::NormalEye => 6,
+            Varying::NormalEyeColor => 9,
         }
+    }
+
+    /// How many of them clipping carries along: eye points follow from positions.
+    #[must_use]
+    pub fn carried(self) -> usize {
+        match self {
+            Varying::Nothing => 0,
+            Varying::Color | Varying::NormalEye => 3,
+            Varying::NormalEyeColor => 6,
+        }
+    }
+
+    /// Whether normals and eye points vary, and light is for the rasterizer to compute.
+    #[must_use]
+    pub fn has_normals(self) -> bool {
+        matches!(self, Varying::NormalEye | Varying::NormalEyeColor)
     }
 }
 
@@ -115,6 +134,7 @@ impl Plan {
     pub fn varying(&self) -> Varying {
         match self.choices.shading {
             Shading::Gouraud | Shading::Flat => Varying::Color,
+            Shading::Phong if self.survey.colored_surfaces > 0 => Varying::NormalEyeColor,
             Shading::Phong => Varying::NormalEye,
             Shading::Wire => Varying::Nothing,
         }
@@ -137,8 +157,8 @@ fn check(choices: &Choices) -> Result<(), PlanError> {
 /// Historic rules that the other choices leave nothing to do for: an error rather than silence.
 fn check_history(choices: &Choices, accepts: Accepts) -> Result<(), PlanError> {
     let shading = choices.shading;
-    if choices.flat == FlatRule::Sipp && shading != Shading::Flat {
-        return Err(PlanError::FlatRuleWithoutFlat(shading.name()));
+    if choices.flat != FlatRule::Face && shading != Shading::Flat {
+        return Err(PlanError::FlatRuleWithoutFlat(choices.flat.name(), shading.name()));
     }
     if choices.interpolation != Interpolation::ScanLine {
         return Ok(());

@@ -151,6 +151,8 @@ pub struct Survey {
     pub phong_surfaces: usize,
     /// Placed surfaces of SIPP's `basic`.
     pub basic_surfaces: usize,
+    /// Placed surfaces whose vertices have colors of their own.
+    pub colored_surfaces: usize,
     /// Placed surfaces.
     pub surfaces: usize,
     /// Placed objects.
@@ -207,6 +209,7 @@ impl Survey {
         self.surfaces += 1;
         self.shiny_surfaces += usize::from(material.specular > 0.0);
         self.transparent_surfaces += usize::from(!material.is_opaque());
+        self.colored_surfaces += usize::from(!surface.mesh.colors.is_empty());
         self.two_sided_surfaces += usize::from(surface.two_sided);
         self.phong_surfaces += usize::from(material.reflection == Reflection::Phong);
         self.basic_surfaces += usize::from(matches!(material.reflection, Reflection::Basic { .. }));

@@ -3,6 +3,7 @@
 //! Why flat arrays and no object per polygon: a million polygons then cost four allocations, and the geometry
 //! stage transforms, classifies and lights every shared vertex once.
 
+use crate::color::Rgb;
 use crate::math::Vec3;
 
 /// Polygons over a shared list of vertices. A part of a scene, or the polygons that a sphere was turned into.
@@ -14,6 +15,8 @@ pub struct Mesh {
     pub normals: Vec<Vec3>,
     /// Texture coordinates (u, v, w), one triple a vertex; empty where no polygon of the mesh has any.
     pub texture: Vec<Vec3>,
+    /// Factors on the color of the material, one a vertex, display values; empty where the material has the whole color.
+    pub colors: Vec<Rgb>,
     /// The outlines of all polygons, one behind the other, as indices into `vertices`.
     pub outlines: Vec<u32>,
     /// The polygons, in file order.
@@ -60,6 +63,9 @@ impl Mesh {
         if !self.texture.is_empty() {
             self.texture.push(Vec3::ZERO);
         }
+        if !self.colors.is_empty() {
+            self.colors.push(Rgb::WHITE);
+        }
         (self.vertices.len() - 1) as u32
     }
 
@@ -69,6 +75,9 @@ impl Mesh {
         self.normals.push(normal);
         if !self.texture.is_empty() {
             self.texture.push(Vec3::ZERO);
+        }
+        if !self.colors.is_empty() {
+            self.colors.push(Rgb::WHITE);
         }
         self.vertices.push(position);
         (self.vertices.len() - 1) as u32
@@ -86,6 +95,7 @@ impl Mesh {
         self.vertices.clear();
         self.normals.clear();
         self.texture.clear();
+        self.colors.clear();
         self.outlines.clear();
         self.polygons.clear();
     }

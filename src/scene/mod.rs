@@ -16,12 +16,14 @@ mod material;
 mod mesh;
 mod shape;
 mod tree;
+mod triangles;
 
 pub use light::{Light, LightSource, SpotEdge};
 pub use material::{Material, Reflection};
 pub use mesh::{Mesh, NormalSource, Polygon};
 pub use shape::{CurveNet, PatchNet, Primitive, Shape, TeapotPart, TextureMapping};
 pub use tree::{InstanceBudgetExceeded, Placed};
+pub use triangles::{MAGIC, MOST_LIGHTS, TriangleKind, TriangleRange, Triangles};
 
 use crate::color::Rgb;
 use crate::math::{Affine3, Vec3};

@@ -28,7 +28,7 @@ pub struct Values {
 
 impl Values {
     /// The most numbers any [`crate::plan::Varying`] has.
-    pub const MAX: usize = 6;
+    pub const MAX: usize = 9;
 
     /// Values from their numbers; at most [`Values::MAX`], further ones are dropped.
     #[must_use]

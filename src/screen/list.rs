@@ -146,13 +146,13 @@ impl DrawList {
         let numbers = self.varying.count();
         for values in list.values.chunks_exact_mut(numbers.max(1)) {
             // Eye points stand behind normals.
-            values.iter_mut().skip(3).for_each(|value| *value *= lengths);
+            values.iter_mut().skip(3).take(3).for_each(|value| *value *= lengths);
         }
         let perspective = self.interpolation == Interpolation::Perspective;
         for planes in list.planes.chunks_exact_mut(1 + numbers) {
             planes[0].scale(1.0 / lengths, 1.0 / lengths);
             for (number, plane) in planes[1..].iter_mut().enumerate() {
-                plane.scale_varying(number >= 3, perspective, lengths);
+                plane.scale_varying((3..6).contains(&number), perspective, lengths);
             }
         }
         list

@@ -133,10 +133,11 @@ impl<'a> ScreenPolygon<'a> {
         if needed { ScanLine::around(self.vertices(), x, y) } else { None }
     }
 
-    /// Whether a plane is that of value / w. Colors and normals may run on the screen; the eye point is a point in space.
+    /// Whether a plane is that of value / w. Colors and normals may run on the screen; the eye point, behind three others, is a point
+    /// in space.
     #[inline]
     pub(crate) fn is_over_w(&self, number: usize, plane: &Plane) -> bool {
-        let in_space = self.list.interpolation == Interpolation::Perspective || number >= 3;
+        let in_space = self.list.interpolation == Interpolation::Perspective || (3..6).contains(&number);
         in_space && !matches!(plane.evaluation, Evaluation::Constant | Evaluation::ScanLine)
     }
 

@@ -40,7 +40,18 @@ fn body(nff: &mut Nff<'_>, size: u32) -> io::Result<()> {
     nff.surface([1.0, 0.75, 0.33], [0.8, 0.0, NO_HIGHLIGHT, 0.0, 1.0])?;
     nff.polygon(&[(12.0, 12.0), (-12.0, 12.0), (-12.0, -12.0), (12.0, -12.0)].map(|(x, y)| Vec3::new(x, y, -0.5)))?;
     nff.surface([1.0, 0.9, 0.7], [0.5, 0.5, 3.0827, 0.0, 1.0])?;
-    Flake { directions: directions() }.spheres(nff, size, &Ball { center: Vec3::ZERO, radius: 0.5, up: Vec3::Z })
+    let mut written = Ok(());
+    for_each_ball(size, &mut |center, radius| {
+        if written.is_ok() {
+            written = nff.sphere(center, radius);
+        }
+    });
+    written
+}
+
+/// Calls `visit` with center and radius of each sphere of a flake of that depth: (9^(depth + 1) - 1) / 8 of them.
+pub(super) fn for_each_ball(depth: u32, visit: &mut impl FnMut(Vec3, f64)) {
+    Flake { directions: directions() }.spheres(depth, &Ball { center: Vec3::ZERO, radius: 0.5, up: Vec3::Z }, visit);
 }
 
 /// Where the nine smaller spheres sit on one whose `up` is +z; unit vectors.
@@ -64,17 +75,17 @@ struct Ball {
 }
 
 impl Flake {
-    fn spheres(&self, nff: &mut Nff<'_>, depth: u32, ball: &Ball) -> io::Result<()> {
-        nff.sphere(ball.center, ball.radius)?;
+    fn spheres(&self, depth: u32, ball: &Ball, visit: &mut impl FnMut(Vec3, f64)) {
+        visit(ball.center, ball.radius);
         if depth == 0 {
-            return Ok(());
+            return;
         }
         let turn = from_z_axis(ball.up);
-        self.directions.iter().try_for_each(|&direction| {
+        for &direction in &self.directions {
             let up = turn * direction;
             let center = ball.center + up * (4.0 * ball.radius / 3.0);
-            self.spheres(nff, depth - 1, &Ball { center, radius: ball.radius / 3.0, up })
-        })
+            self.spheres(depth - 1, &Ball { center, radius: ball.radius / 3.0, up }, visit);
+        }
     }
 }
 

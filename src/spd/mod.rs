@@ -13,6 +13,7 @@
 //! Cost: linear in the text, 100 to 250 MB a second; memory does not grow with the number of entities.
 
 mod balls;
+pub mod bench;
 mod gears;
 mod jacks;
 mod lattice;

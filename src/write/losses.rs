@@ -16,6 +16,7 @@ pub(super) struct Losses {
     pub lights_in_comments: usize,
     pub surfaces_in_comments: usize,
     pub textured_surfaces: usize,
+    pub colored_surfaces: usize,
     pub objects: usize,
     pub placed_objects: usize,
     pub names: usize,
@@ -39,6 +40,7 @@ impl Losses {
             counted(self.basic_surfaces, "surfaces of `basic`, written as `phong` with a highlight of the same width"),
             self.in_comments(),
             counted(self.textured_surfaces, "surfaces without their texture coordinates"),
+            counted(self.colored_surfaces, "surfaces without the colors of their vertices"),
             counted(
                 if tree { self.objects } else { 0 },
                 "objects moved into one list in world coordinates, without their nesting",

@@ -1,12 +1,14 @@
-//! Writing scenes: what was read or generated, as text that others can read.
+//! Writing scenes: what was read or generated, as files that others can read.
 //!
 //! Scene -WRITE-> text. The opposite direction of `parse`; it knows nothing of the view's pixels.
 
 mod annotation;
+mod ftri;
 mod losses;
 mod nff;
 mod number;
 mod sipp;
 
+pub use ftri::write_ftri;
 pub use nff::{POLYGONIZED_SEGMENTS, write_nff};
 pub use sipp::write_sipp;

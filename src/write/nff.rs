@@ -149,6 +149,7 @@ impl Writer<'_> {
         if surface.mesh.polygons.is_empty() && surface.primitives.is_empty() {
             return Ok(());
         }
+        self.losses.colored_surfaces += usize::from(!surface.mesh.colors.is_empty());
         self.losses.textured_surfaces += usize::from(!surface.mesh.texture.is_empty());
         self.losses.surfaces_in_comments += usize::from(annotation::write_surface(self.out, surface)?);
         self.material(&surface.material)?;

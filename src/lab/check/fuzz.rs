@@ -16,7 +16,7 @@ use crate::geometry::clip::{ClipVertex, ClipVolume, Clipped, Clipper};
 use crate::geometry::split::{SplitScratch, split};
 use crate::image::Image;
 use crate::math::Vec3;
-use crate::parse::{BezierNet, Format, ParseOptions, Parsed, read_bezier, read_nff, read_sipp};
+use crate::parse::{BezierNet, Format, ParseOptions, Parsed, read_bezier, read_ftri, read_nff, read_sipp};
 use crate::plan::{Choices, Culling, DepthFormat, Shading, Transparency};
 use crate::render::{self, Canvas, render};
 use crate::scene::Primitive;
@@ -84,6 +84,7 @@ fn scene_of(text: &[u8], format: Format) -> Option<Parsed> {
     let read = match format {
         Format::Nff => read_nff("fuzz", text, ParseOptions::default()),
         Format::Sipp => read_sipp("fuzz", text, ParseOptions::default()),
+        Format::Ftri => read_ftri("fuzz", text),
     };
     match read {
         Ok(parsed) => {

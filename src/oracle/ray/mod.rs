@@ -44,6 +44,12 @@ pub enum RayError {
         /// Where it was declared.
         place: String,
     },
+    /// Vertices of a surface have colors of their own.
+    #[error("{place}: the vertices have colors of their own, which rays do not interpolate")]
+    VertexColors {
+        /// Where the surface was declared.
+        place: String,
+    },
     /// Runaway instancing.
     #[error(transparent)]
     TooManyInstances(#[from] InstanceBudgetExceeded),

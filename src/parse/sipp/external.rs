@@ -60,8 +60,9 @@ impl Reader<'_> {
         let path = self.path(file);
         match load::Format::of_path(&path) {
             Some(load::Format::Nff) | None => {}
-            Some(load::Format::Sipp) => {
-                let error = Diagnostic::error("only NFF can be imported").at(file, "this is a `.sipp` file");
+            Some(other) => {
+                let kind = if other == load::Format::Sipp { "sipp" } else { "ftri" };
+                let error = Diagnostic::error("only NFF can be imported").at(file, format!("this is a `.{kind}` file"));
                 let help = "give both files to farop: they merge. Or `farop convert` this one to NFF first";
                 return Err(error.help(help).into());
             }

@@ -179,6 +179,7 @@ fn call(draw: Draw, file: &ScreenFile) -> Vec<f32> {
             Varying::Nothing => 0,
             Varying::Color => 1,
             Varying::NormalEye => 2,
+            Varying::NormalEyeColor => 3,
         },
         value_count,
         planes_each: if list.has_depth { 1 + value_count } else { 0 },
@@ -204,8 +205,10 @@ fn call(draw: Draw, file: &ScreenFile) -> Vec<f32> {
 fn vertices(list: &DrawList) -> Vec<CVertex> {
     let count = list.varying.count();
     let convert = |(index, vertex): (usize, &crate::screen::ScreenVertex)| {
+        // Colors behind normal and eye point have planes, but no room here.
         let mut values = [0.0; 6];
-        values[..count].copy_from_slice(&list.values[index * count..(index + 1) * count]);
+        let room = count.min(values.len());
+        values[..room].copy_from_slice(&list.values[index * count..index * count + room]);
         let edge = match vertex.edge {
             EdgeKind::Original => 0,
             EdgeKind::Cut => 1,

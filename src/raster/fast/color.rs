@@ -50,6 +50,7 @@ pub(super) fn shade(level: Level, tile: &mut Finished<'_>) {
         Varying::Nothing => {}
         Varying::Color => dispatch!(level, simd => shade_blocks::<_, 3>(simd, tile)),
         Varying::NormalEye => dispatch!(level, simd => shade_blocks::<_, 6>(simd, tile)),
+        Varying::NormalEyeColor => dispatch!(level, simd => shade_blocks::<_, 9>(simd, tile)),
     }
 }
 
@@ -60,6 +61,7 @@ pub(super) fn of_sample(list: &DrawList, polygon: u32, sample: (i32, i32), depth
         Varying::Nothing => list.shader.line_color,
         Varying::Color => one::<3>(list, polygon, sample, depth, &mut powers),
         Varying::NormalEye => one::<6>(list, polygon, sample, depth, &mut powers),
+        Varying::NormalEyeColor => one::<9>(list, polygon, sample, depth, &mut powers),
     };
     list.shader.add_powers(powers);
     light

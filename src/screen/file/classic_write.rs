@@ -178,6 +178,10 @@ fn corner_light(list: &DrawList, polygon: &ScreenPolygon<'_>, corner: usize) -> 
             let normal = unit(Vec3::new(nx, ny, nz)).unwrap_or(Vec3::NEG_Z);
             list.shader.light(polygon.surface(), Vec3::new(ex, ey, ez), normal)
         }
+        (Varying::NormalEyeColor, &[nx, ny, nz, ex, ey, ez, r, g, b]) => {
+            let normal = unit(Vec3::new(nx, ny, nz)).unwrap_or(Vec3::NEG_Z);
+            list.shader.light_colored(polygon.surface(), (Vec3::new(ex, ey, ez), normal), Rgb::new(r, g, b))
+        }
         _ => list.shader.line_color.to_f64(),
     }
 }

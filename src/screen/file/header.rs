@@ -26,8 +26,12 @@ const RULES: [(&str, &str); 6] = [
 const YES_NO: [(bool, &str); 2] = [(true, "yes"), (false, "no")];
 const ENCODINGS: [(Encoding, &str); 2] = [(Encoding::Srgb, "srgb"), (Encoding::Linear, "linear")];
 const PRECISIONS: [(Precision, &str); 2] = [(Precision::Single, "single"), (Precision::Double, "double")];
-const VARYINGS: [(Varying, &str); 3] =
-    [(Varying::Color, "color"), (Varying::NormalEye, "normal_eye"), (Varying::Nothing, "nothing")];
+const VARYINGS: [(Varying, &str); 4] = [
+    (Varying::Color, "color"),
+    (Varying::NormalEye, "normal_eye"),
+    (Varying::NormalEyeColor, "normal_eye_color"),
+    (Varying::Nothing, "nothing"),
+];
 
 /// How many records of each sort follow the head.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,6 +59,17 @@ pub(super) fn varying_names(varying: Varying) -> &'static [&'static str] {
         Varying::Nothing => &[],
         Varying::Color => &["red", "green", "blue"],
         Varying::NormalEye => &["normal_x", "normal_y", "normal_z", "eye_x", "eye_y", "eye_z"],
+        Varying::NormalEyeColor => &[
+            "normal_x",
+            "normal_y",
+            "normal_z",
+            "eye_x",
+            "eye_y",
+            "eye_z",
+            "factor_red",
+            "factor_green",
+            "factor_blue",
+        ],
     }
 }
 
@@ -180,7 +195,7 @@ fn eye_unit(words: &mut Words<'_>) -> Result<f64, ScreenFileError> {
 /// The names of the fields of a vertex; returns whether a color follows the normal and eye point.
 fn read_vertex_fields(words: &mut Words<'_>, varying: Varying) -> Result<bool, ScreenFileError> {
     vertex_fields(varying, false).split(' ').try_for_each(|name| fixed(words, name))?;
-    if varying != Varying::NormalEye {
+    if !varying.has_normals() {
         return Ok(false);
     }
     let word = words.word();

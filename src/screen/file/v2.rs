@@ -45,7 +45,7 @@ impl Attributes {
 
     /// Whether vertices of `list` get colors besides what varies.
     pub(super) fn adds_color(self, list: &DrawList) -> bool {
-        self.color && list.varying == Varying::NormalEye
+        self.color && list.varying.has_normals()
     }
 
     /// Whether `list` has what is asked for.

@@ -50,7 +50,18 @@ impl Shader {
     #[must_use]
     pub fn light(&self, surface: u32, eye: Vec3, normal: Vec3) -> Rgb {
         let mut powers = 0;
-        let points = Points { eye: eye.to_array(), normal: normal.to_array(), wanted: true };
+        let points = Points { eye: eye.to_array(), normal: normal.to_array(), factor: None, wanted: true };
+        let light = self.light_of(&self.surfaces[surface as usize], points, &mut powers);
+        self.add_powers(powers);
+        light.into()
+    }
+
+    /// As [`Shader::light`], where the color of the surface is multiplied with `color`, linear light.
+    #[must_use]
+    pub fn light_colored(&self, surface: u32, (eye, normal): (Vec3, Vec3), color: Rgb) -> Rgb {
+        let mut powers = 0;
+        let factor = Some(color.to_array());
+        let points = Points { eye: eye.to_array(), normal: normal.to_array(), factor, wanted: true };
         let light = self.light_of(&self.surfaces[surface as usize], points, &mut powers);
         self.add_powers(powers);
         light.into()
@@ -59,7 +70,7 @@ impl Shader {
     /// The same for one point or several side by side; highlights are added to `powers`.
     #[inline(always)]
     fn light_of<T: Wide>(&self, surface: &SurfaceShading, points: Points<T>, powers: &mut u64) -> [T; 3] {
-        let Points { eye, normal, wanted } = points;
+        let Points { eye, normal, factor, wanted } = points;
         let zero = eye[0].all(0.0);
         let (to_eye, is_apart) = unit([zero - eye[0], zero - eye[1], zero - eye[2]]);
         let view = choose(is_apart, to_eye, normal);
@@ -80,7 +91,7 @@ impl Shader {
                 add(&mut specular, color, highlight(surface, dot(mirrored, view), lit, powers));
             }
         }
-        surface.sent(diffuse, specular)
+        surface.sent(diffuse, specular, factor)
     }
 
     /// The fragment of `polygon` at sample (x, y): depth, color and opacity by the contract's definition.
@@ -107,25 +118,30 @@ impl Shader {
         match *values {
             [r, g, b] => Rgb::new(r as f32, g as f32, b as f32),
             [nx, ny, nz, ex, ey, ez] => {
-                Rgb::from(self.light_counting(surface, [nx, ny, nz, ex, ey, ez], true, powers)).to_f32()
+                Rgb::from(self.light_counting(surface, ([nx, ny, nz, ex, ey, ez], None), true, powers)).to_f32()
+            }
+            [nx, ny, nz, ex, ey, ez, r, g, b] => {
+                let values = ([nx, ny, nz, ex, ey, ez], Some([r, g, b]));
+                Rgb::from(self.light_counting(surface, values, true, powers)).to_f32()
             }
             _ => self.line_color,
         }
     }
 
-    /// The light of interpolated normals and eye points, one or several side by side; where the mask `wanted` is false, whatever it is.
+    /// The light of interpolated normals, eye points and, where vertices have them, colors, one or several side by side; where the mask
+    /// `wanted` is false, whatever it is.
     #[inline(always)]
     pub(crate) fn light_counting<T: Wide>(
         &self,
         surface: u32,
-        [nx, ny, nz, ex, ey, ez]: [T; 6],
+        ([nx, ny, nz, ex, ey, ez], factor): ([T; 6], Option<[T; 3]>),
         wanted: T::Mask,
         powers: &mut u64,
     ) -> [T; 3] {
         // Interpolated normals are shorter than 1 between the vertices.
         let (unit_normal, has_direction) = unit([nx, ny, nz]);
         let normal = choose(has_direction, unit_normal, [nx.all(0.0), nx.all(0.0), nx.all(-1.0)]);
-        let points = Points { eye: [ex, ey, ez], normal, wanted };
+        let points = Points { eye: [ex, ey, ez], normal, factor, wanted };
         self.light_of(&self.surfaces[surface as usize], points, powers)
     }
 
@@ -163,6 +179,8 @@ struct Points<T: Wide> {
     eye: [T; 3],
     /// Unit.
     normal: [T; 3],
+    /// What the color of the surface is multiplied with, linear light.
+    factor: Option<[T; 3]>,
     /// Of which points the light is asked for.
     wanted: T::Mask,
 }

@@ -64,15 +64,18 @@ impl SurfaceShading {
         }
     }
 
-    /// The light that leaves, of the sums over the lights.
+    /// The light that leaves, of the sums over the lights. The surface's color is multiplied with `factor`; highlights keep theirs.
     #[inline(always)]
-    pub(super) fn sent<T: Wide>(&self, diffuse: [T; 3], specular: [T; 3]) -> [T; 3] {
+    pub(super) fn sent<T: Wide>(&self, diffuse: [T; 3], specular: [T; 3], factor: Option<[T; 3]>) -> [T; 3] {
         let (own, scattered) = (self.ambient.to_array(), self.diffuse.to_array());
         let mut light = diffuse;
         for channel in 0..3 {
             let (diffuse, specular) = (diffuse[channel], specular[channel]);
-            let (ambient, color, mirror) =
-                (diffuse.all(own[channel]), diffuse.all(scattered[channel]), diffuse.all(self.specular));
+            let (mut ambient, mut color) = (diffuse.all(own[channel]), diffuse.all(scattered[channel]));
+            if let Some(factor) = factor {
+                (ambient, color) = (ambient * factor[channel], color * factor[channel]);
+            }
+            let mirror = diffuse.all(self.specular);
             light[channel] = if self.is_nff() {
                 cut(ambient + color * diffuse + specular * mirror, BRIGHTEST)
             } else {

@@ -10,6 +10,7 @@ pub(super) struct Losses {
     pub nff_surfaces: usize,
     /// Surfaces of SIPP's models without an ambient coefficient.
     pub no_ambient: usize,
+    pub colored_surfaces: usize,
     pub given_normals: usize,
     pub mixed_surfaces: usize,
     /// Objects that got another name, or one at all.
@@ -31,6 +32,7 @@ impl Losses {
                 self.given_normals,
                 "polygons with given normals, averaged where none is given instead of the polygon's own",
             ),
+            counted(self.colored_surfaces, "surfaces without the colors of their vertices"),
             counted(self.mixed_surfaces, "surfaces of polygons and shapes, taken apart: the polygons of each stay together"),
             counted(self.names, "names of objects changed or made up: what stands in several places needs a name of its own"),
         ]

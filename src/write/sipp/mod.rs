@@ -194,6 +194,7 @@ impl Printer<'_> {
         if surface.two_sided && !self.default_two_sided {
             self.line("two_sided on", &[])?;
         }
+        self.losses.colored_surfaces += usize::from(!surface.mesh.colors.is_empty());
         (0..surface.mesh.vertices.len()).try_for_each(|index| self.vertex(&surface.mesh, index))?;
         surface.mesh.polygons.iter().try_for_each(|polygon| self.polygon(&surface.mesh, polygon))?;
         self.close()

@@ -14,7 +14,7 @@
 /* Rules of a plane: how it is evaluated at a sample. farop_at knows them. */
 enum { FAROP_CONSTANT = 0, FAROP_BLOCKS = 1, FAROP_SAMPLES = 2, FAROP_DOUBLE = 3, FAROP_SCANLINE = 4 };
 /* What varies over a polygon. */
-enum { FAROP_NOTHING = 0, FAROP_COLOR = 1, FAROP_NORMAL_EYE = 2 };
+enum { FAROP_NOTHING = 0, FAROP_COLOR = 1, FAROP_NORMAL_EYE = 2, FAROP_NORMAL_EYE_COLOR = 3 };
 /* Where an edge comes from. */
 enum { FAROP_ORIGINAL = 0, FAROP_CUT = 1, FAROP_DIAGONAL = 2 };
 
@@ -28,7 +28,7 @@ typedef struct {
     double x, y;       /* in samples, multiples of 2^-subpixel_bits */
     double inverse_w;  /* 1/w, the depth */
     double w;          /* distance along the view */
-    double values[6];  /* red green blue; or normal x y z, eye point x y z */
+    double values[6];  /* red green blue; or normal x y z, eye point x y z (a color behind them: planes only) */
     int32_t edge;      /* of the edge to the next vertex */
     int32_t reserved;
 } farop_vertex;
@@ -46,7 +46,7 @@ typedef struct {
     uint32_t width, height;  /* in samples */
     uint32_t subpixel_bits;
     uint32_t varying;        /* FAROP_COLOR, ... */
-    uint32_t value_count;    /* how many of vertex.values are used */
+    uint32_t value_count;    /* how many of vertex.values are used; 9: all six, and three more planes */
     uint32_t planes_each;    /* planes of a polygon: 1 + value_count, or 0 */
     uint32_t perspective;    /* 1: planes of values hold value / w */
     uint32_t double_precision;
