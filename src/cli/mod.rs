@@ -7,6 +7,7 @@
 //!
 //! Exit codes: 0 done, 1 checked and found wanting, 2 could not run (message on stderr, no partial file).
 
+mod bench;
 mod check;
 mod compare;
 mod convert;
@@ -94,6 +95,7 @@ enum Command {
     Compare(compare::CompareCommand),
     Check(check::CheckCommand),
     Lab(lab::LabCommand),
+    Bench(bench::BenchCommand),
     Grade(grade::GradeCommand),
     Convert(convert::ConvertCommand),
     Generate(generate::GenerateCommand),
@@ -135,6 +137,7 @@ impl Command {
             Command::Compare(command) => command.run(),
             Command::Check(command) => command.run(),
             Command::Lab(command) => command.run(registry),
+            Command::Bench(command) => command.run(registry),
             Command::Grade(command) => command.run(registry),
             Command::Convert(command) => command.run(),
             Command::Generate(command) => command.run(),
