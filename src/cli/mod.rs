@@ -27,6 +27,7 @@ mod stages;
 mod stats;
 pub mod student;
 mod suite;
+mod view;
 mod why;
 
 use crate::raster::{Registry, external};
@@ -99,6 +100,7 @@ enum Command {
     Generate(generate::GenerateCommand),
     Plan(plan::PlanCommand),
     Why(why::WhyCommand),
+    View(view::ViewCommand),
     List(list::ListCommand),
     /// Student crates
     Student {
@@ -140,6 +142,7 @@ impl Command {
             Command::Generate(command) => command.run(),
             Command::Plan(command) => command.run(registry),
             Command::Why(command) => command.run(registry),
+            Command::View(command) => command.run(registry),
             Command::List(command) => command.run(registry),
             Command::Student { command: StudentCommand::New { name } } => new_student(&name),
             Command::Completions { shell } => {
