@@ -82,7 +82,8 @@ impl ViewCommand {
 
     #[cfg(feature = "window")]
     fn open(&self, shell: &mut Shell<'_>) -> Result<(), CliError> {
-        window::open(shell, &format!("farop: {}", self.scenes.scenes.join(" "))).map_err(|why| self.without_window(&why))
+        window::open(shell, &format!("farop: {}", self.scenes.scenes.join(" ")))
+            .map_err(|why| self.without_window(&why))
     }
 
     #[cfg(not(feature = "window"))]
