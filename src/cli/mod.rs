@@ -7,6 +7,7 @@
 //!
 //! Exit codes: 0 done, 1 checked and found wanting, 2 could not run (message on stderr, no partial file).
 
+mod bench;
 mod check;
 mod compare;
 mod convert;
@@ -27,6 +28,7 @@ mod stages;
 mod stats;
 pub mod student;
 mod suite;
+mod view;
 mod why;
 
 use crate::raster::{Registry, external};
@@ -94,11 +96,13 @@ enum Command {
     Compare(compare::CompareCommand),
     Check(check::CheckCommand),
     Lab(lab::LabCommand),
+    Bench(bench::BenchCommand),
     Grade(grade::GradeCommand),
     Convert(convert::ConvertCommand),
     Generate(generate::GenerateCommand),
     Plan(plan::PlanCommand),
     Why(why::WhyCommand),
+    View(view::ViewCommand),
     List(list::ListCommand),
     /// Student crates
     Student {
@@ -135,11 +139,13 @@ impl Command {
             Command::Compare(command) => command.run(),
             Command::Check(command) => command.run(),
             Command::Lab(command) => command.run(registry),
+            Command::Bench(command) => command.run(registry),
             Command::Grade(command) => command.run(registry),
             Command::Convert(command) => command.run(),
             Command::Generate(command) => command.run(),
             Command::Plan(command) => command.run(registry),
             Command::Why(command) => command.run(registry),
+            Command::View(command) => command.run(registry),
             Command::List(command) => command.run(registry),
             Command::Student { command: StudentCommand::New { name } } => new_student(&name),
             Command::Completions { shell } => {

@@ -42,6 +42,22 @@ impl SceneOptions {
         SceneOptions { scenes: vec![name.to_string()], ..self.clone() }
     }
 
+    /// The options that read one scene by its name alone.
+    pub fn named(name: &str, format: Option<&str>) -> SceneOptions {
+        let (winding, normals) = ("file".to_string(), "facet".to_string());
+        SceneOptions { scenes: vec![name.to_string()], format: format.map(str::to_string), winding, normals }
+    }
+
+    /// Reads one scene once more and tells only how long it took.
+    pub fn load_silently(&self, picture: &PictureOptions) -> Result<StageTime, CliError> {
+        let timer = StageTimer::start();
+        let parsed = self.parsed(&self.scenes[0], picture.resolution)?;
+        let time = timer.stop();
+        // Freed outside the time.
+        drop(parsed);
+        Ok(time)
+    }
+
     /// Reads and merges all scenes, then lets the command line's view win.
     pub fn load(&self, picture: &PictureOptions) -> Result<Loaded, CliError> {
         let timer = StageTimer::start();
@@ -66,6 +82,15 @@ impl SceneOptions {
     }
 
     fn read(&self, name: &str, resolution: Option<u32>, notices: &mut Vec<String>) -> Result<Parsed, CliError> {
+        let parsed = self.parsed(name, resolution)?;
+        if !parsed.notices.is_empty() {
+            error::diagnose(&parsed.notices.render(error::stderr_has_color()));
+            notices.extend(parsed.notices.list.iter().map(|notice| notice.message.clone()));
+        }
+        Ok(parsed)
+    }
+
+    fn parsed(&self, name: &str, resolution: Option<u32>) -> Result<Parsed, CliError> {
         let options = ParseOptions {
             winding: if self.winding == "auto" { Winding::Auto } else { Winding::File },
             polygon_normals: if self.normals == "smooth" { NormalSource::Averaged } else { NormalSource::Facet },
@@ -80,12 +105,7 @@ impl SceneOptions {
             }
             _ => parse::load(Path::new(name), self.format.as_deref().and_then(Format::by_name), options),
         };
-        let parsed = parsed.map_err(|errors| CliError::Diagnosed(errors.render(error::stderr_has_color())))?;
-        if !parsed.notices.is_empty() {
-            error::diagnose(&parsed.notices.render(error::stderr_has_color()));
-            notices.extend(parsed.notices.list.iter().map(|notice| notice.message.clone()));
-        }
-        Ok(parsed)
+        parsed.map_err(|errors| CliError::Diagnosed(errors.render(error::stderr_has_color())))
     }
 }
 

@@ -66,7 +66,8 @@ impl WhyCommand {
                 }
                 let background = subject.canvas.background.to_f64().to_array();
                 if let Some(sight) = look(&subject.list, (drawn, right), background, sample) {
-                    let colors = [drawn, right].map(|image| subject.asked().levels(image.pixel(x as usize, y as usize)));
+                    let colors =
+                        [drawn, right].map(|image| subject.asked().levels(image.pixel(x as usize, y as usize)));
                     let _ = said(&sight, &colors, &mut text);
                 }
             }

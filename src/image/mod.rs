@@ -130,11 +130,17 @@ impl Image {
     /// Light below 0 and not-a-number become 0, light above 1 becomes 255.
     #[must_use]
     pub fn encode(&self, encoding: Encoding) -> Picture {
-        let mut rgb = Vec::with_capacity(self.pixels.len() * 3);
-        for light in &self.pixels {
-            rgb.extend(light.to_array().map(|channel| encoding.level(channel)));
-        }
+        let mut rgb = Vec::new();
+        self.encode_into(encoding, &mut rgb);
         Picture::from_parts(self.width, self.height, rgb)
+    }
+
+    /// The bytes of [`Image::encode`], in memory that earlier pictures have used.
+    pub fn encode_into(&self, encoding: Encoding, rgb: &mut Vec<u8>) {
+        rgb.resize(self.pixels.len() * 3, 0);
+        for (bytes, light) in rgb.chunks_exact_mut(3).zip(&self.pixels) {
+            bytes.copy_from_slice(&light.to_array().map(|channel| encoding.level(channel)));
+        }
     }
 }
 

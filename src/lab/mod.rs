@@ -7,8 +7,9 @@
 //!
 //! [`check`] has the claims about accuracy. The rest is the trade of speed for accuracy: [`configurations`] lists ways to draw a
 //! scene, [`measure`] times them, [`errors`] compares them with the [`truth`], [`pareto`] finds the ones worth having, [`table`] and
-//! [`chart`] show them, and [`promise`] picks one for an error that is asked for.
+//! [`chart`] show them, [`bench`] tells where the time of a frame goes, and [`promise`] picks one for an error that is asked for.
 
+pub mod bench;
 pub mod chart;
 pub mod check;
 pub mod configurations;

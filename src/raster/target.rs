@@ -62,6 +62,13 @@ impl Frame {
         }
     }
 
+    /// How much memory it holds, in bytes.
+    #[must_use]
+    pub fn bytes(&self) -> u64 {
+        let (depth, color) = (std::mem::size_of_val(&self.depth[..]), std::mem::size_of_val(&self.color[..]));
+        (depth + color + std::mem::size_of_val(&self.owner[..])) as u64
+    }
+
     /// Owner, depth and color of the sample at `index` of the last target, row by row.
     #[must_use]
     pub fn sample(&self, index: usize) -> (Option<u32>, f64, Rgb<f32>) {

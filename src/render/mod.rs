@@ -112,14 +112,27 @@ pub fn draw(list: &DrawList, rasterizer: Option<&dyn Rasterizer>, canvas: &Canva
     let (width, height) = (list.width / canvas.samples, list.height / canvas.samples);
     let mut image = Image::new(width as usize, height as usize, canvas.background);
     let mut puts = PutCounts::default();
-    let Some(rasterizer) = rasterizer else { return (image, puts) };
-    if let Some(puts) = draw_pixels(list, rasterizer, canvas, &mut image) {
-        return (image, puts);
+    if let Some(rasterizer) = rasterizer {
+        puts = draw_into(list, rasterizer, canvas, (&mut Frame::default(), &mut image));
     }
+    (image, puts)
+}
+
+/// As [`draw`], into an image of the right size and memory for samples that earlier frames have used.
+pub fn draw_into(
+    list: &DrawList,
+    rasterizer: &dyn Rasterizer,
+    canvas: &Canvas,
+    (frame, image): (&mut Frame, &mut Image),
+) -> PutCounts {
+    if let Some(puts) = draw_pixels(list, rasterizer, canvas, image) {
+        return puts;
+    }
+    let mut puts = PutCounts::default();
+    let height = image.height() as u32;
     // Whole rows of pixels at a time, as many as memory allows; one band for all but enormous grids.
     let samples_a_row = u64::from(list.width) * u64::from(canvas.samples);
     let rows_a_band = (SAMPLES_AT_ONCE / samples_a_row.max(1)).clamp(1, u64::from(height.max(1))) as u32;
-    let mut frame = Frame::default();
     for first in (0..height).step_by(rows_a_band as usize) {
         let end = (first + rows_a_band).min(height);
         let rows = first * canvas.samples..end * canvas.samples;
@@ -132,7 +145,7 @@ pub fn draw(list: &DrawList, rasterizer: Option<&dyn Rasterizer>, canvas: &Canva
             image.row_mut(row as usize).copy_from_slice(band.row((row - first) as usize));
         }
     }
-    (image, puts)
+    puts
 }
 
 /// Lets a rasterizer that can do so draw finished pixels over all of `image`; `None`, and nothing drawn, where it cannot.
@@ -159,6 +172,8 @@ impl Canvas {
     }
 }
 
-fn available_threads() -> u32 {
+/// As many threads as the machine has; 1 where it does not tell.
+#[must_use]
+pub fn available_threads() -> u32 {
     std::thread::available_parallelism().map_or(1, |count| count.get() as u32)
 }

@@ -33,7 +33,7 @@ pub(super) fn split(traced: &Traced, step: Option<usize>, mut board: Board) -> S
     }
     let text = match hand {
         Some(hand) => traced.ear_text(hand),
-        None => vec![format!("{} ears of {with_ears} polygons with more than 3 corners", ears.len())],
+        None => vec![format!("ears: {}, in polygons with more than 3 corners: {with_ears}", ears.len())],
     };
     (board, text, ears.len())
 }
@@ -76,7 +76,7 @@ pub(super) fn polygons(traced: &Traced, step: Option<usize>, mut board: Board) -
     }
     let Some(step) = step else {
         let made = list.polygons().flat_map(|polygon| polygon.vertices()).filter(|v| v.edge == EdgeKind::Cut).count();
-        let text = vec![format!("{} polygons on the screen; {made} edges made by clipping (blue)", list.len())];
+        let text = vec![format!("polygons on the screen: {}; edges made by clipping (blue): {made}", list.len())];
         return (board, text, list.len());
     };
     let polygon = list.polygon(step);

@@ -62,10 +62,10 @@ pub fn heading(eye: &Eye) -> f64 {
     if east < 0.0 { (360.0 - degrees) % 360.0 } else { degrees }
 }
 
-/// Draws the compass into the upper right corner: the letter on top is where the eye looks.
+/// Draws the compass into the lower left corner: the letter on top is where the eye looks.
 pub(super) fn compass(board: &mut Board, eye: &Eye, scale: i64) {
     let radius = 16 * scale;
-    let middle = (board.width() as i64 - radius - 6 * scale, radius + 6 * scale);
+    let middle = (radius + 6 * scale, board.height() as i64 - radius - 6 * scale);
     let turn = crate::math::radians(heading(eye));
     let around = |degrees: f64, radius: f64| {
         let angle = crate::math::radians(degrees) - turn;

@@ -36,7 +36,12 @@ pub struct Line {
     pub to: Vec3,
     /// 0x00RRGGBB.
     pub color: u32,
+    /// How much of it is seen through areas, of 256.
+    pub through: u32,
 }
+
+/// Of lines that are hidden but not to be forgotten.
+const FAINT: u32 = 72;
 
 /// The background of eye space seen from outside.
 const NOTHING: [u8; 3] = [22, 24, 32];
@@ -47,42 +52,39 @@ const ANGLE: f64 = 40.0;
 #[must_use]
 pub fn volume(view: &View, far: f64) -> (Vec<Vec3>, Vec<Line>) {
     let (kx, ky) = view.clip_from_eye();
-    let at = |z: f64| [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| Vec3::new(x * z / kx, y * z / ky, z));
+    let at = |z: f64| {
+        [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| Vec3::new(x * z / kx, y * z / ky, z))
+    };
     let (near, far) = (at(view.hither), at(far));
     let mut lines = Vec::new();
     let color = super::board::ink::BLUE;
     for corner in 0..4 {
         let next = (corner + 1) % 4;
-        lines.push(Line { from: near[corner], to: near[next], color });
-        lines.push(Line { from: far[corner], to: far[next], color });
-        lines.push(Line { from: near[corner], to: far[corner], color });
-        lines.push(Line { from: Vec3::ZERO, to: near[corner], color: 0x30_50_80 });
+        lines.push(Line { from: near[corner], to: near[next], color, through: FAINT });
+        lines.push(Line { from: far[corner], to: far[next], color, through: FAINT });
+        lines.push(Line { from: near[corner], to: far[corner], color, through: FAINT });
+        lines.push(Line { from: Vec3::ZERO, to: near[corner], color: 0x30_50_80, through: FAINT });
     }
     ([near, far].concat(), lines)
 }
 
 /// The lines around an area.
-pub fn outline(corners: &[Vec3], color: u32) -> impl Iterator<Item = Line> {
-    crate::math::edges(corners).map(move |(&from, &to)| Line { from, to, color })
+pub fn outline(corners: &[Vec3], color: u32, through: u32) -> impl Iterator<Item = Line> {
+    crate::math::edges(corners).map(move |(&from, &to)| Line { from, to, color, through })
 }
 
 /// Draws areas and lines on a board of `size`, so that all of `around` is in sight.
 ///
 /// # Errors
 /// There is nothing to look at: a coordinate is not finite.
-pub fn draw(
-    areas: &[Area],
-    lines: &[Line],
-    around: &[Vec3],
-    from: Outside,
-    size: (u32, u32),
-) -> Result<Board, String> {
+pub fn draw(areas: &[Area], lines: &[Line], around: &[Vec3], from: Outside, size: (u32, u32)) -> Result<Board, String> {
     let scene = scene(areas, camera(around, from, size));
     let choices = Choices { size: Some(size), shading: Shading::Flat, culling: Culling::None, ..Choices::default() };
     let rasterizer = Fast::default();
     let list = render::list(&scene, &choices, Some(&rasterizer)).map_err(|error| error.to_string())?;
     let plan = Plan::new(&scene, &choices, Accepts::AnyPolygon).map_err(|error| error.to_string())?;
-    let background = Encoding::Srgb.decode(Rgb::new(NOTHING[0], NOTHING[1], NOTHING[2]).map(|level| f64::from(level) / 255.0));
+    let background =
+        Encoding::Srgb.decode(Rgb::new(NOTHING[0], NOTHING[1], NOTHING[2]).map(|level| f64::from(level) / 255.0));
     let mut frame = Frame::default();
     let target = frame.target((list.width, list.height), 0..list.height, background.to_f32(), choices.transparency);
     let mut target = target.with_threads(render::Canvas::new(&scene, &choices).threads);
@@ -175,7 +177,7 @@ fn draw_line(board: &mut Board, line: Line, view: &View, frame: &Frame) {
         }
         let inverse_w = (1.0 - share) / from.z + share / to.z;
         let (_, depth, _) = frame.sample(y as usize * board.width() + x as usize);
-        board.blend(x, y, line.color, if depth > inverse_w * 1.002 { 72 } else { 256 });
+        board.blend(x, y, line.color, if depth > inverse_w * 1.002 { line.through } else { 256 });
     }
 }
 

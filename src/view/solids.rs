@@ -5,13 +5,16 @@
 //! Eye: fronts are green, backs red, edge-on polygons yellow; the polygon in hand has a bright outline. Clip: what
 //! is kept is gray, what a plane cuts off has the color of the plane, faint; the parts not yet cut are brown.
 
-use super::board::{Board, ink};
+use super::board::{Board, ink, mixed};
 use super::cut::{self, Crossing};
 use super::outside::{self, Area, Line};
 use super::stages::{Traced, points};
 use super::state::Outside;
 use crate::geometry::Facing;
 use crate::math::Vec3;
+
+/// Areas of larger scenes have no outlines.
+const MOST_OUTLINES: usize = 20_000;
 
 /// A board, what there is to say, and how many steps there are.
 pub(super) type Shown = (Board, Vec<String>, usize);
@@ -55,7 +58,8 @@ pub(super) fn clip(traced: &Traced, step: Option<usize>, from: Outside) -> Resul
     let step = step.filter(|_| !crossings.is_empty()).map(|step| step.min(crossings.len() - 1));
     let done = step.map_or(crossings.len(), |step| step + 1);
     let mut areas = Vec::new();
-    let mut hand = None;
+    let mut hand: Option<(Crossing, usize)> = None;
+    let mut outline = Vec::new();
     let mut text = clip_summary(traced, &crossings);
     let mut next = 0;
     for number in (0..traced.trace.eye.len()).filter(|&number| !traced.is_culled(number)) {
@@ -69,8 +73,7 @@ pub(super) fn clip(traced: &Traced, step: Option<usize>, from: Outside) -> Resul
             areas.push(Area { corners: gone, color: ink::WHEEL[crossings[next].plane as usize], opacity });
             corners = kept;
             if is_last {
-                text = clip_text(traced, crossings[next], before, &corners);
-                hand = Some(corners.clone());
+                hand = Some((crossings[next], before));
             }
             next += 1;
         }
@@ -79,11 +82,15 @@ pub(super) fn clip(traced: &Traced, step: Option<usize>, from: Outside) -> Resul
         if let (0, Some(kept)) = (remaining, traced.kept[number]) {
             corners = traced.eye_corners(kept);
         }
+        if let Some((crossing, before)) = hand.as_ref().filter(|hand| hand.0.polygon == number) {
+            text = clip_text(traced, *crossing, *before, &corners);
+            outline.clone_from(&corners);
+        }
         let untouched = remaining > 0 && before == next;
         areas.push(Area { corners, color: if untouched { 0x90_78_60 } else { 0xB8_B8_B8 }, opacity: 1.0 });
         next += remaining;
     }
-    let board = seen(traced, &areas, hand.as_deref(), from)?;
+    let board = seen(traced, &areas, hand.map(|_| &outline[..]), from)?;
     Ok((board, text, crossings.len()))
 }
 
@@ -96,7 +103,7 @@ fn clip_summary(traced: &Traced, crossings: &[Crossing]) -> Vec<String> {
     let names: Vec<_> = by_plane.into_iter().flatten().collect();
     let outside = counts.clipped + counts.tessellated.clipped;
     vec![
-        format!("{} polygons left by clipping, {outside} outside", traced.trace.clipped.len()),
+        format!("polygons left by clipping: {}, outside: {outside}", traced.trace.clipped.len()),
         if names.is_empty() { "no plane is crossed".to_string() } else { format!("crossings: {}", names.join(", ")) },
     ]
 }
@@ -118,12 +125,16 @@ fn seen(traced: &Traced, areas: &[Area], hand: Option<&[Vec3]>, from: Outside) -
     let kept = traced.trace.clipped.iter().flat_map(|polygon| polygon.vertices.iter().map(|vertex| vertex.position.z));
     let far = kept.fold(view.hither * 2.0, f64::max);
     let (around, mut lines) = outside::volume(view, far);
+    // Of very many polygons outlines would hide the areas.
+    for area in areas.iter().filter(|area| area.opacity == 1.0 && areas.len() <= MOST_OUTLINES) {
+        lines.extend(outside::outline(&area.corners, mixed(area.color, ink::BLACK, 128), 0));
+    }
     if let Some(hand) = hand {
-        lines.extend(outside::outline(hand, ink::YELLOW));
+        lines.extend(outside::outline(hand, ink::YELLOW, 200));
     }
     let axes = [(Vec3::X, ink::RED), (Vec3::Y, ink::GREEN), (Vec3::Z, ink::BLUE)];
     let length = far / 12.0;
-    lines.extend(axes.map(|(axis, color)| Line { from: Vec3::ZERO, to: axis * length, color }));
+    lines.extend(axes.map(|(axis, color)| Line { from: Vec3::ZERO, to: axis * length, color, through: 256 }));
     let around: Vec<_> = around.into_iter().chain([Vec3::ZERO]).collect();
     outside::draw(areas, &lines, &around, from, view.pixels)
 }

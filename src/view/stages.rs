@@ -138,7 +138,7 @@ impl Traced {
         let shown = if same { points(colors.into_iter().take(1)) } else { points(colors.into_iter()) };
         let mut lines = vec![
             format!("polygon {number} of {}, line {}: screen", self.list.len(), polygon.record().source.line),
-            format!("corners {corners}, {made} edges made by clipping or splitting"),
+            format!("corners {corners}; edges made by clipping or splitting: {made}"),
         ];
         if let Some(plane) = polygon.depth_plane() {
             lines.push(format!("1/w = {} + {} x + {} y", short(plane.c), short(plane.a), short(plane.b)));
@@ -200,11 +200,15 @@ pub fn short(number: f64) -> String {
     if text == "-0" { "0".to_string() } else { text.to_string() }
 }
 
-/// Points in brackets; of many only the first.
+/// Points in brackets; of many only the first. What is nothing but rounding beside the largest number of its point is 0.
 pub(super) fn points(points: impl ExactSizeIterator<Item = Vec<f64>>) -> String {
     const SHOWN: usize = 8;
     let count = points.len();
-    let point = |numbers: Vec<f64>| format!("({})", numbers.into_iter().map(short).collect::<Vec<_>>().join(", "));
+    let point = |numbers: Vec<f64>| {
+        let largest = numbers.iter().fold(0.0_f64, |largest, number| largest.max(number.abs()));
+        let short = |number: f64| if number.abs() < largest * 1e-12 { short(0.0) } else { short(number) };
+        format!("({})", numbers.into_iter().map(short).collect::<Vec<_>>().join(", "))
+    };
     let mut words: Vec<_> = points.take(SHOWN).map(point).collect();
     words.extend((count > SHOWN).then(|| format!("and {} more", count - SHOWN)));
     words.join(" ")
@@ -216,7 +220,10 @@ mod tests {
 
     #[test]
     fn numbers_are_short() {
-        assert_eq!([0.0, -0.0, 1.0 / 3.0, -2.5, 0.00001, 1e9].map(short), ["0", "0", "0.3333", "-2.5", "1.000e-5", "1.000e9"]);
+        assert_eq!(
+            [0.0, -0.0, 1.0 / 3.0, -2.5, 0.00001, 1e9].map(short),
+            ["0", "0", "0.3333", "-2.5", "1.000e-5", "1.000e9"]
+        );
         assert_eq!(points(vec![vec![1.0, 2.0]; 9].into_iter()), format!("{}and 1 more", "(1, 2) ".repeat(8)));
     }
 }
