@@ -10,8 +10,10 @@
 //! Source: Gouraud, "Continuous Shading of Curved Surfaces", IEEE Transactions on Computers C-20(6), 1971.
 
 use super::clip::ClipVertex;
-use super::walk::EyeMesh;
-use super::{Corners, Facing, Part};
+use super::cull::Survivor;
+use super::hand::Corners;
+use super::walk::{EyeMesh, Side};
+use super::Part;
 use crate::color::Rgb;
 use crate::math::{Vec3, cos, radians, unit};
 use crate::plan::{ClipLight, FlatRule, Interpolation, Plan, Shading};
@@ -35,8 +37,15 @@ pub(super) struct Lighting {
     screen: bool,
     ambient: f64,
     plan: LightPlan,
-    /// How many vertices were lit.
-    pub vertices_lit: u64,
+}
+
+/// What lighting computed; each thread counts for itself.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct LightWork {
+    /// Vertices lit.
+    pub vertices: u64,
+    /// Highlights computed.
+    pub powers: u64,
 }
 
 struct LightPlan {
@@ -58,13 +67,12 @@ impl Lighting {
             screen: choices.interpolation != Interpolation::Perspective,
             ambient: plan.ambient,
             plan: LightPlan { encoding: choices.encoding, terms: choices.light_terms },
-            vertices_lit: 0,
         }
     }
 
     /// Puts the lights of the scene into the shader, in eye space.
     pub fn prepare(&self, scene: &Scene, plan: &Plan, shader: &mut Shader) {
-        *shader = Shader::default();
+        shader.clear();
         shader.specular_everywhere = plan.needs.specular_everywhere;
         // Lines have no color of their own: white on a dark background, black on a bright one.
         let background = scene.background.unwrap_or(Rgb::BLACK);
@@ -98,65 +106,84 @@ impl Lighting {
         (shader.surfaces.len() - 1) as u32
     }
 
-    /// Writes what varies at the corners into `corners.clip`, and tells how many numbers clipping must carry along.
+    /// Whether the light of a vertex is one for all polygons around it: computed once, by [`EyeMesh::ask`].
+    pub fn lights_vertices(&self) -> bool {
+        self.needed && !self.is_one_color() && !self.carries_normals()
+    }
+
+    /// One color a polygon, by the normal of its face.
+    fn is_one_color(&self) -> bool {
+        self.shading == Shading::Flat && !self.sipp_flat
+    }
+
+    /// Corners carry normals through clipping: light is for later.
+    fn carries_normals(&self) -> bool {
+        self.relight || self.sipp_flat || self.shading == Shading::Phong
+    }
+
+    /// Writes what varies at the corners of a polygon into `corners`, and tells how many numbers clipping must carry along.
+    #[inline]
     pub fn light_corners(
-        &mut self,
-        part: Part<'_>,
-        eye_mesh: &mut EyeMesh,
-        (source, facing): (NormalSource, Facing),
+        &self,
+        (part, mesh, shader): (Part<'_>, &EyeMesh, &Shader),
+        survivor: &Survivor,
         corners: &mut Corners,
-        shader: &mut Shader,
+        work: &mut LightWork,
     ) -> usize {
-        corners.clip.clear();
-        corners.clip.resize(corners.eye.len(), ClipVertex::default());
         if !self.needed {
             return 0;
         }
-        let face_normal = facing.normal_towards_eye();
-        if self.shading == Shading::Flat && !self.sipp_flat {
-            let color = self.light(shader, part.shading, corners.eye[0], face_normal);
-            corners.clip.iter_mut().for_each(|vertex| write(vertex, color.to_array()));
+        let facing = survivor.facing;
+        let mut light = |vertex: u32, normal| {
+            work.light(shader, part.shading, (mesh.positions[vertex as usize], normal)).to_array()
+        };
+        if self.is_one_color() {
+            let color = light(corners.outline[0], facing.normal_towards_eye());
+            corners.clip.iter_mut().for_each(|vertex| write(vertex, color));
             return 3;
         }
-        for (corner, vertex) in corners.clip.iter_mut().enumerate() {
-            let index = corners.outline[corner] as usize;
-            let own = eye_mesh.normals.get(index).copied().filter(|&normal| normal != Vec3::ZERO);
-            // SIPP knows no facets: polygons of one surface share their normals.
-            let shared = own.filter(|_| source != NormalSource::Facet || self.sipp_flat);
-            let normal = shared.map_or(face_normal, |normal| if facing.is_back() { -normal } else { normal });
-            if self.relight || self.sipp_flat || self.shading == Shading::Phong {
-                write(vertex, normal.to_array());
-                continue;
-            }
-            // Light a shared vertex once for each side it is seen from.
-            let side = usize::from(facing.is_back());
-            let known = shared.and_then(|_| eye_mesh.lit[side][index]);
-            let color = known.unwrap_or_else(|| self.light(shader, part.shading, corners.eye[corner], normal));
-            if shared.is_some() {
-                eye_mesh.lit[side][index] = Some(color);
-            }
-            write(vertex, color.to_array());
+        // SIPP knows no facets: polygons of one surface share their normals.
+        let is_facet = part.mesh.polygons[survivor.polygon as usize].normals == NormalSource::Facet && !self.sipp_flat;
+        let (carries_normals, side) = (self.carries_normals(), Side::of(survivor));
+        let mut face_normal = None;
+        for (vertex, &index) in corners.clip.iter_mut().zip(&corners.outline) {
+            let own = mesh.normal(index).filter(|_| !is_facet);
+            let mut normal = || match own {
+                Some(normal) => side.turn(normal),
+                None => *face_normal.get_or_insert_with(|| facing.normal_towards_eye()),
+            };
+            let values = match own {
+                Some(_) if !carries_normals => mesh.light(index, side),
+                _ if carries_normals => normal().to_array(),
+                _ => light(index, normal()),
+            };
+            write(vertex, values);
         }
         3
     }
 
     /// FAROP's order: lights the vertices that are left after clipping, from their normals; SIPP's flat shading the first.
-    pub fn relight(&mut self, surface: u32, clipped: &mut [ClipVertex], (kx, ky): (f64, f64), shader: &mut Shader) {
+    pub fn relight(
+        &self,
+        surface: u32,
+        clipped: &mut [ClipVertex],
+        (eye, shader): (&[Vec3], &Shader),
+        work: &mut LightWork,
+    ) {
         if !(self.relight || self.sipp_flat) || !self.needed {
             return;
         }
         let only_first = self.sipp_flat;
-        let mut light = |vertex: &ClipVertex| {
-            let eye = Vec3::new(vertex.position.x / kx, vertex.position.y / ky, vertex.position.z);
+        let mut light = |vertex: &ClipVertex, eye: Vec3| {
             let [x, y, z, ..] = vertex.attributes;
             let normal = unit(Vec3::new(x, y, z)).unwrap_or(Vec3::NEG_Z);
-            self.light(shader, surface, eye, normal).to_array()
+            work.light(shader, surface, (eye, normal)).to_array()
         };
         if only_first {
-            let color = light(&clipped[0]);
+            let color = light(&clipped[0], eye[0]);
             clipped.iter_mut().for_each(|vertex| write(vertex, color));
         } else {
-            clipped.iter_mut().for_each(|vertex| write(vertex, light(vertex)));
+            clipped.iter_mut().zip(eye).for_each(|(vertex, &eye)| write(vertex, light(vertex, eye)));
         }
     }
 
@@ -166,6 +193,7 @@ impl Lighting {
     }
 
     /// Whether what varies is linear over the polygon: all values equal, or three vertices before clipping.
+    #[inline]
     pub fn is_affine(&self, corners: &[ClipVertex], clipped: &[ClipVertex]) -> bool {
         let values = |vertex: &ClipVertex| [vertex.attributes[0], vertex.attributes[1], vertex.attributes[2]];
         let equal = |vertices: &[ClipVertex]| vertices.windows(2).all(|pair| values(&pair[0]) == values(&pair[1]));
@@ -173,10 +201,14 @@ impl Lighting {
         let decided_on = if self.belongs_to_clipped() { clipped } else { corners };
         decided_on.len() == 3 || equal(decided_on)
     }
+}
 
-    fn light(&mut self, shader: &Shader, surface: u32, eye: Vec3, normal: Vec3) -> Rgb {
-        self.vertices_lit += 1;
-        shader.light(surface, eye, normal)
+impl LightWork {
+    /// The light of a point with a normal, eye space.
+    #[inline]
+    pub fn light(&mut self, shader: &Shader, surface: u32, point: (Vec3, Vec3)) -> Rgb {
+        self.vertices += 1;
+        shader.light_counting(surface, point, &mut self.powers)
     }
 }
 

@@ -110,6 +110,13 @@ impl Plan {
         self.choices.subpixel_bits == EXACT_SUBPIXELS && self.choices.shading != Shading::Wire
     }
 
+    /// How many threads the stages may use; at least 1. No bit of a list or a picture depends on it.
+    #[must_use]
+    pub fn threads(&self) -> usize {
+        let available = || std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+        self.choices.threads.map_or_else(available, |threads| threads as usize).max(1)
+    }
+
     /// What interpolation carries under this shading.
     #[must_use]
     pub fn varying(&self) -> Varying {

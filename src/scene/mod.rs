@@ -21,7 +21,7 @@ pub use light::{Light, LightSource, SpotEdge};
 pub use material::{Material, Reflection};
 pub use mesh::{Mesh, NormalSource, Polygon};
 pub use shape::{CurveNet, PatchNet, Primitive, Shape, TeapotPart, TextureMapping};
-pub use tree::{InstanceBudgetExceeded, Placed};
+pub use tree::{InstanceBudgetExceeded, Placed, Walk};
 
 use crate::color::Rgb;
 use crate::math::{Affine3, Vec3};

@@ -40,6 +40,14 @@ pub struct Shader {
 pub const BRIGHTEST: f64 = 1e30;
 
 impl Shader {
+    /// Forgets lights, surfaces and counts, and keeps its memory for the next frame.
+    pub fn clear(&mut self) {
+        self.lights.clear();
+        self.surfaces.clear();
+        let (lights, surfaces) = (std::mem::take(&mut self.lights), std::mem::take(&mut self.surfaces));
+        *self = Shader { lights, surfaces, ..Shader::default() };
+    }
+
     /// Light that the point `eye` of a surface with unit normal `normal` sends to the eye, which stands at the origin.
     ///
     /// NFF's model is not clamped: a value above 1 is brighter than the display and is cut once, when the picture is written.
@@ -55,8 +63,9 @@ impl Shader {
     #[inline]
     pub(crate) fn light_counting(&self, surface: u32, (eye, normal): (Vec3, Vec3), powers: &mut u64) -> Rgb {
         let surface = &self.surfaces[surface as usize];
-        let view = unit(-eye).unwrap_or(normal);
         let has_highlight = surface.specular > 0.0 || self.specular_everywhere;
+        // Only highlights depend on where the eye stands.
+        let view = if has_highlight { unit(-eye).unwrap_or(normal) } else { normal };
         let (mut diffuse, mut specular) = (Rgb::BLACK, Rgb::BLACK);
         for light in &self.lights {
             let Some((to_light, color)) = light.arriving(eye) else { continue };
