@@ -34,8 +34,10 @@ pub fn radians(degrees: f64) -> f64 {
 /// let edges: Vec<_> = farop::math::edges(&["a", "b", "c"]).collect();
 /// assert_eq!(edges, [(&"a", &"b"), (&"b", &"c"), (&"c", &"a")]);
 /// ```
+#[inline]
 pub fn edges<T>(outline: &[T]) -> impl Iterator<Item = (&T, &T)> {
-    outline.iter().zip(outline.iter().cycle().skip(1)).take(outline.len())
+    let next = outline.get(1..).unwrap_or_default().iter().chain(outline.first());
+    outline.iter().zip(next)
 }
 
 /// The unit vector along `v`, or `None` where it has no direction: zero, infinite, or not a number.
@@ -55,20 +57,20 @@ pub fn unit(v: Vec3) -> Option<Vec3> {
     if !(largest > 0.0 && largest.is_finite()) || v.is_nan() {
         return None;
     }
-    let scaled = v * power_of_two_below(1.0 / largest);
+    let scaled = v * power_of_two_below_reciprocal(largest);
     let length_squared = scaled.length_squared();
     (length_squared > 0.0).then(|| scaled / length_squared.sqrt())
 }
 
-/// The largest power of two that is not above `x`; `x` is positive. Scaling by it rounds nothing.
+/// The largest power of two that is not above 1 / `x`, without dividing; `x` is positive and finite. Scaling by it rounds nothing.
+///
+/// Held between the smallest and the largest power of two that are not subnormal.
 #[inline]
-pub(crate) fn power_of_two_below(x: f64) -> f64 {
-    // 1 / subnormal is infinite: the largest power of two there is will do.
-    if x.is_infinite() {
-        return f64::from_bits(0x7FE0_0000_0000_0000);
-    }
-    let bits = x.to_bits() & 0x7FF0_0000_0000_0000;
-    if bits == 0 { f64::MIN_POSITIVE } else { f64::from_bits(bits) }
+pub(crate) fn power_of_two_below_reciprocal(x: f64) -> f64 {
+    const FRACTION: u64 = (1 << 52) - 1;
+    // The biased exponent of the smallest power of two that is not below x; 2^-1023 and less count as 2^-1023.
+    let above = if x.to_bits() <= 1 << 51 { 0 } else { (x.to_bits() + FRACTION) >> 52 };
+    f64::from_bits((2046 - above.min(2045)) << 52)
 }
 
 /// The length of `v`, also where its square would leave the range of `f64`.
@@ -92,6 +94,7 @@ pub fn length(v: Vec3) -> f64 {
 /// assert_eq!(1e-200 * ordinary_scale(1e-200), 1e-200 * 664f64.exp2());
 /// ```
 #[must_use]
+#[inline]
 pub fn ordinary_scale(largest: f64) -> f64 {
     // A difference of two numbers near 2^-100 is at least 2^-152 or 0, a cross product of such at least 2^-357 or 0, and
     // even its square is far above 2^-1022.
@@ -99,7 +102,7 @@ pub fn ordinary_scale(largest: f64) -> f64 {
     if (LEAST..=1.0 / LEAST).contains(&largest) || largest == 0.0 || !largest.is_finite() {
         return 1.0;
     }
-    power_of_two_below(1.0 / largest)
+    power_of_two_below_reciprocal(largest)
 }
 
 /// The exponent of the largest power of two that is not above a positive finite `x`.
@@ -115,6 +118,7 @@ pub fn exponent(x: f64) -> i64 {
 
 /// The largest magnitude of any coordinate; NaN where one is not a number.
 #[must_use]
+#[inline]
 pub fn largest_coordinate(points: &[Vec3]) -> f64 {
     // Not f64::max, which passes over NaN.
     let larger = |largest: f64, x: f64| if x <= largest { largest } else { x };
@@ -131,14 +135,17 @@ pub fn largest_coordinate(points: &[Vec3]) -> f64 {
 /// Source: Sutherland, Sproull and Schumacker, "A Characterization of Ten Hidden-Surface Algorithms",
 /// ACM Computing Surveys 6(1), 1974, who credit M. Newell.
 #[must_use]
+#[inline]
 pub fn newell_normal(outline: &[Vec3]) -> Vec3 {
-    let Some(&origin) = outline.first() else { return Vec3::ZERO };
+    let [origin, rest @ ..] = outline else { return Vec3::ZERO };
     let scale = ordinary_scale(largest_coordinate(outline));
+    // The edges at the first vertex have no share: one of their ends is the origin.
+    let pairs = rest.iter().zip(rest.get(1..).unwrap_or_default());
     if scale == 1.0 {
-        return edges(outline).map(|(&a, &b)| (a - origin).cross(b - origin)).sum();
+        return pairs.map(|(&a, &b)| (a - origin).cross(b - origin)).sum();
     }
-    let from_origin = |p: Vec3| p * scale - origin * scale;
-    edges(outline).map(|(&a, &b)| from_origin(a).cross(from_origin(b))).sum()
+    let from_origin = |p: Vec3| p * scale - *origin * scale;
+    pairs.map(|(&a, &b)| from_origin(a).cross(from_origin(b))).sum()
 }
 
 #[cfg(test)]
@@ -154,6 +161,21 @@ mod tests {
         }
         assert_eq!(unit(Vec3::new(f64::INFINITY, 0.0, 0.0)), None);
         assert_eq!(unit(Vec3::new(f64::NAN, 1.0, 0.0)), None);
+    }
+
+    #[test]
+    fn powers_of_two_are_found_without_dividing() {
+        let by_division = |x: f64| match 1.0 / x {
+            reciprocal if reciprocal.is_infinite() => f64::from_bits(0x7FE0_0000_0000_0000),
+            reciprocal if reciprocal < f64::MIN_POSITIVE => f64::MIN_POSITIVE,
+            reciprocal => f64::from_bits(reciprocal.to_bits() & 0x7FF0_0000_0000_0000),
+        };
+        for exponent in 0..2047_u64 {
+            for fraction in [0, 1, 2, 1 << 51, (1 << 52) - 2, (1 << 52) - 1] {
+                let x = f64::from_bits(exponent << 52 | fraction);
+                assert!(x == 0.0 || power_of_two_below_reciprocal(x) == by_division(x), "{x:e}");
+            }
+        }
     }
 
     #[test]

@@ -132,6 +132,49 @@ pub struct Times {
     pub write: StageTime,
 }
 
+impl std::ops::AddAssign<&Counts> for Counts {
+    fn add_assign(&mut self, other: &Counts) {
+        self.objects += other.objects;
+        self.surfaces += other.surfaces;
+        self.polygons += other.polygons;
+        self.vertices += other.vertices;
+        self.backfacing += other.backfacing;
+        self.clipped += other.clipped;
+        self.cut += other.cut;
+        self.inside += other.inside;
+        self.rendered += other.rendered;
+        self.triangles += other.triangles;
+        self.split += other.split;
+        self.skipped += other.skipped;
+        self.nonplanar += other.nonplanar;
+        self.self_crossing += other.self_crossing;
+        self.forced_ears += other.forced_ears;
+        self.tessellated += other.tessellated;
+        self.work += other.work;
+    }
+}
+
+impl std::ops::AddAssign for Tessellated {
+    fn add_assign(&mut self, other: Tessellated) {
+        self.polygons += other.polygons;
+        self.backfacing += other.backfacing;
+        self.clipped += other.clipped;
+        self.rendered += other.rendered;
+    }
+}
+
+impl std::ops::AddAssign for Work {
+    fn add_assign(&mut self, other: Work) {
+        self.vertices_transformed += other.vertices_transformed;
+        self.shape_vertices += other.shape_vertices;
+        self.shapes_outside += other.shapes_outside;
+        self.normals += other.normals;
+        self.vertices_lit += other.vertices_lit;
+        self.specular_powers += other.specular_powers;
+        self.plane_tests += other.plane_tests;
+    }
+}
+
 impl std::ops::AddAssign for StageTime {
     fn add_assign(&mut self, other: Self) {
         self.elapsed += other.elapsed;

@@ -40,9 +40,21 @@ pub enum Facing {
     NotFinite,
 }
 
+/// A polygon that culling and outcodes leave.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Survivor {
+    /// Its number in its mesh.
+    pub polygon: u32,
+    /// Which side the eye sees: front or back.
+    pub facing: Facing,
+    /// Some of its vertices lie outside a plane, so that it has to be cut.
+    pub crossed: bool,
+}
+
 impl Facing {
     /// The side of `corners` (eye space) that an eye at the origin sees.
     #[must_use]
+    #[inline]
     pub fn of(corners: &[Vec3]) -> Facing {
         let largest = largest_coordinate(corners);
         if corners.is_empty() || largest.is_nan() || largest > LARGEST {
@@ -70,6 +82,7 @@ impl Facing {
 
     /// The Newell normal of the outline, eye space; zero where there is none.
     #[must_use]
+    #[inline]
     pub fn newell(&self) -> Vec3 {
         match *self {
             Facing::Front { newell } | Facing::Back { newell } => newell,
@@ -79,6 +92,7 @@ impl Facing {
 
     /// Whether the eye sees the back.
     #[must_use]
+    #[inline]
     pub fn is_back(&self) -> bool {
         matches!(self, Facing::Back { .. })
     }

@@ -6,7 +6,7 @@
 //! the file's order; so the written scene gives the same picture, byte for byte.
 
 use super::split::{SplitScratch, split};
-use super::walk::detail;
+use super::tessellate::detail;
 use crate::math::{Affine3, Vec3, newell_normal};
 use crate::model;
 use crate::plan::Plan;

@@ -9,9 +9,11 @@
 //! Space: eye space; normals are turned to the side that the eye sees.
 //! Source: Gouraud, "Continuous Shading of Curved Surfaces", IEEE Transactions on Computers C-20(6), 1971.
 
-use super::clip::ClipVertex;
-use super::walk::EyeMesh;
-use super::{Corners, Facing, Part};
+use super::Part;
+use super::clip::{ClipVertex, MAX_ATTRIBUTES};
+use super::cull::Survivor;
+use super::hand::Corners;
+use super::walk::{EyeMesh, Side};
 use crate::color::Rgb;
 use crate::math::{Vec3, cos, radians, unit};
 use crate::plan::{ClipLight, FlatRule, Interpolation, Plan, Shading};
@@ -33,14 +35,21 @@ pub(super) struct Lighting {
     sipp_flat: bool,
     /// One color a polygon, from the first vertex's own normal.
     vertex_flat: bool,
-    /// Numbers at a vertex: what clipping carries, and what must be alike where nothing varies.
-    carried: usize,
+    /// Where light comes after clipping, and vertices have colors, colors are carried beside normals until then.
+    carries_factors: bool,
     /// Values run linearly on the screen.
     screen: bool,
     ambient: f64,
     plan: LightPlan,
-    /// How many vertices were lit.
-    pub vertices_lit: u64,
+}
+
+/// What lighting computed; each thread counts for itself.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct LightWork {
+    /// Vertices lit.
+    pub vertices: u64,
+    /// Highlights computed.
+    pub powers: u64,
 }
 
 struct LightPlan {
@@ -53,7 +62,6 @@ impl Lighting {
         let choices = &plan.choices;
         let relight = choices.clip_light == ClipLight::Relight && choices.shading == Shading::Gouraud;
         let sipp_flat = choices.flat == FlatRule::Sipp;
-        // Where light comes after clipping, colors are carried beside normals until then.
         let lit_late = relight || sipp_flat || choices.shading == Shading::Phong;
         Lighting {
             shading: choices.shading,
@@ -64,17 +72,16 @@ impl Lighting {
             relight,
             sipp_flat,
             vertex_flat: choices.flat == FlatRule::Vertex,
-            carried: if lit_late && plan.survey.colored_surfaces > 0 { 6 } else { 3 },
+            carries_factors: lit_late && plan.survey.colored_surfaces > 0,
             screen: choices.interpolation != Interpolation::Perspective,
             ambient: plan.ambient,
             plan: LightPlan { encoding: choices.encoding, terms: choices.light_terms },
-            vertices_lit: 0,
         }
     }
 
     /// Puts the lights of the scene into the shader, in eye space.
     pub fn prepare(&self, scene: &Scene, plan: &Plan, shader: &mut Shader) {
-        *shader = Shader::default();
+        shader.clear();
         shader.specular_everywhere = plan.needs.specular_everywhere;
         // Lines have no color of their own: white on a dark background, black on a bright one.
         let background = scene.background.unwrap_or(Rgb::BLACK);
@@ -108,75 +115,108 @@ impl Lighting {
         (shader.surfaces.len() - 1) as u32
     }
 
-    /// Writes what varies at the corners into `corners.clip`, and tells how many numbers clipping must carry along.
+    /// Whether the light of a vertex is one for all polygons around it: computed once, by [`EyeMesh::ask`].
+    pub fn lights_vertices(&self) -> bool {
+        self.needed && !self.is_one_color() && !self.carries_normals()
+    }
+
+    /// What the color of the surface is multiplied with at a vertex, if the mesh says so; linear light.
+    fn factor(&self, part: Part<'_>, vertex: u32) -> Option<Rgb> {
+        part.mesh.colors.get(vertex as usize).map(|&color| self.plan.encoding.decode(color))
+    }
+
+    /// The light of a vertex of `part` that was asked for, at this point with this normal.
+    #[inline]
+    pub fn vertex_light(
+        &self,
+        (part, shader): (Part<'_>, &Shader),
+        vertex: u32,
+        point: (Vec3, Vec3),
+        work: &mut LightWork,
+    ) -> [f64; 3] {
+        work.light(shader, part.shading, point, self.factor(part, vertex)).to_array()
+    }
+
+    /// One color a polygon, by the normal of its face or of its first vertex.
+    fn is_one_color(&self) -> bool {
+        self.shading == Shading::Flat && !self.sipp_flat
+    }
+
+    /// Corners carry normals through clipping: light is for later.
+    fn carries_normals(&self) -> bool {
+        self.relight || self.sipp_flat || self.shading == Shading::Phong
+    }
+
+    /// Writes what varies at the corners of a polygon into `corners`, and tells how many numbers clipping must carry along.
+    #[inline]
     pub fn light_corners(
-        &mut self,
-        part: Part<'_>,
-        eye_mesh: &mut EyeMesh,
-        (source, facing): (NormalSource, Facing),
+        &self,
+        (part, mesh, shader): (Part<'_>, &EyeMesh, &Shader),
+        survivor: &Survivor,
         corners: &mut Corners,
-        shader: &mut Shader,
+        work: &mut LightWork,
     ) -> usize {
-        corners.clip.clear();
-        corners.clip.resize(corners.eye.len(), ClipVertex::default());
         if !self.needed {
             return 0;
         }
-        let face_normal = facing.normal_towards_eye();
-        if self.shading == Shading::Flat && !self.sipp_flat {
-            let first = corners.outline[0] as usize;
-            let own = eye_mesh.normals.get(first).filter(|_| self.vertex_flat && source != NormalSource::Facet);
-            let own = own.filter(|&&normal| normal != Vec3::ZERO);
-            let normal = own.map_or(face_normal, |&normal| if facing.is_back() { -normal } else { normal });
-            let factor = eye_mesh.colors.get(first).copied();
-            let color = self.light(shader, part.shading, (corners.eye[0], normal), factor);
-            corners.clip.iter_mut().for_each(|vertex| write(vertex, color.to_array()));
-            return 3;
+        let facing = survivor.facing;
+        let mut light = |vertex: u32, normal| {
+            self.vertex_light((part, shader), vertex, (mesh.positions[vertex as usize], normal), work)
+        };
+        // SIPP knows no facets: polygons of one surface share their normals.
+        let is_facet = part.mesh.polygons[survivor.polygon as usize].normals == NormalSource::Facet && !self.sipp_flat;
+        let (carries_normals, side) = (self.carries_normals(), Side::of(survivor));
+        if self.is_one_color() {
+            let first = corners.outline[0];
+            let own = mesh.normal(first).filter(|_| self.vertex_flat && !is_facet);
+            let color = light(first, own.map_or_else(|| facing.normal_towards_eye(), |normal| side.turn(normal)));
+            corners.clip.iter_mut().for_each(|vertex| write(vertex, color));
+            return LIGHT;
         }
-        for (corner, vertex) in corners.clip.iter_mut().enumerate() {
-            let index = corners.outline[corner] as usize;
-            let own = eye_mesh.normals.get(index).copied().filter(|&normal| normal != Vec3::ZERO);
-            // SIPP knows no facets: polygons of one surface share their normals.
-            let shared = own.filter(|_| source != NormalSource::Facet || self.sipp_flat);
-            let normal = shared.map_or(face_normal, |normal| if facing.is_back() { -normal } else { normal });
-            if self.relight || self.sipp_flat || self.shading == Shading::Phong {
-                write(vertex, normal.to_array());
-                let color = eye_mesh.colors.get(index).copied().unwrap_or(Rgb::WHITE);
-                vertex.attributes[3..self.carried].copy_from_slice(&color.to_array()[..self.carried - 3]);
-                continue;
+        let mut face_normal = None;
+        for (vertex, &index) in corners.clip.iter_mut().zip(&corners.outline) {
+            let own = mesh.normal(index).filter(|_| !is_facet);
+            let mut normal = || match own {
+                Some(normal) => side.turn(normal),
+                None => *face_normal.get_or_insert_with(|| facing.normal_towards_eye()),
+            };
+            let values = match own {
+                Some(_) if !carries_normals => mesh.light(index, side),
+                _ if carries_normals => normal().to_array(),
+                _ => light(index, normal()),
+            };
+            write(vertex, values);
+            if self.carries_factors {
+                let factor = self.factor(part, index).unwrap_or(Rgb::WHITE);
+                vertex.attributes[FACTOR..FACTOR + 3].copy_from_slice(&factor.to_array());
             }
-            // Light a shared vertex once for each side it is seen from.
-            let side = usize::from(facing.is_back());
-            let known = shared.and_then(|_| eye_mesh.lit[side][index]);
-            let point = (corners.eye[corner], normal);
-            let factor = eye_mesh.colors.get(index).copied();
-            let color = known.unwrap_or_else(|| self.light(shader, part.shading, point, factor));
-            if shared.is_some() {
-                eye_mesh.lit[side][index] = Some(color);
-            }
-            write(vertex, color.to_array());
         }
-        self.carried
+        if self.carries_factors { FACTOR + 3 } else { LIGHT }
     }
 
     /// FAROP's order: lights the vertices that are left after clipping, from their normals; SIPP's flat shading the first.
-    pub fn relight(&mut self, surface: u32, clipped: &mut [ClipVertex], (kx, ky): (f64, f64), shader: &mut Shader) {
+    pub fn relight(
+        &self,
+        surface: u32,
+        clipped: &mut [ClipVertex],
+        (eye, shader): (&[Vec3], &Shader),
+        work: &mut LightWork,
+    ) {
         if !(self.relight || self.sipp_flat) || !self.needed {
             return;
         }
         let only_first = self.sipp_flat;
-        let mut light = |vertex: &ClipVertex| {
-            let eye = Vec3::new(vertex.position.x / kx, vertex.position.y / ky, vertex.position.z);
-            let [x, y, z, r, g, b, ..] = vertex.attributes;
+        let mut light = |vertex: &ClipVertex, eye: Vec3| {
+            let [x, y, z, ..] = vertex.attributes;
             let normal = unit(Vec3::new(x, y, z)).unwrap_or(Vec3::NEG_Z);
-            let factor = (self.carried > 3).then(|| Rgb::new(r, g, b));
-            self.light(shader, surface, (eye, normal), factor).to_array()
+            let factor = self.carries_factors.then(|| factor_of(vertex).into());
+            work.light(shader, surface, (eye, normal), factor).to_array()
         };
         if only_first {
-            let color = light(&clipped[0]);
+            let color = light(&clipped[0], eye[0]);
             clipped.iter_mut().for_each(|vertex| write(vertex, color));
         } else {
-            clipped.iter_mut().for_each(|vertex| write(vertex, light(vertex)));
+            clipped.iter_mut().zip(eye).for_each(|(vertex, &eye)| write(vertex, light(vertex, eye)));
         }
     }
 
@@ -186,22 +226,22 @@ impl Lighting {
     }
 
     /// Whether what varies is linear over the polygon: all values equal, or three vertices before clipping.
+    #[inline]
     pub fn is_affine(&self, corners: &[ClipVertex], clipped: &[ClipVertex]) -> bool {
-        let values = |vertex: &ClipVertex, number: usize| vertex.attributes[number];
-        let same = |pair: &[ClipVertex]| (0..self.carried).all(|k| values(&pair[0], k) == values(&pair[1], k));
-        let equal = |vertices: &[ClipVertex]| vertices.windows(2).all(same);
+        // What is not carried is 0 everywhere.
+        let equal = |vertices: &[ClipVertex]| vertices.windows(2).all(|pair| pair[0].attributes == pair[1].attributes);
         // Lit anew, or linear on the screen, the pieces of a triangle are not; else clipping changes nothing.
         let decided_on = if self.belongs_to_clipped() { clipped } else { corners };
         decided_on.len() == 3 || equal(decided_on)
     }
+}
 
-    /// The light at a point (eye, normal) of a surface whose vertices may have colors of their own.
-    fn light(&mut self, shader: &Shader, surface: u32, point: (Vec3, Vec3), color: Option<Rgb>) -> Rgb {
-        self.vertices_lit += 1;
-        match color {
-            Some(color) => shader.light_colored(surface, point, color),
-            None => shader.light(surface, point.0, point.1),
-        }
+impl LightWork {
+    /// The light of a point with a normal, eye space, where the color of the surface is multiplied with `factor`.
+    #[inline]
+    fn light(&mut self, shader: &Shader, surface: u32, point: (Vec3, Vec3), factor: Option<Rgb>) -> Rgb {
+        self.vertices += 1;
+        shader.light_at(surface, point, factor, &mut self.powers)
     }
 }
 
@@ -224,7 +264,19 @@ fn eye_light(light: &Light, plan: &Plan) -> EyeLight {
     EyeLight { source, color: color.map(|light| light.min(BRIGHTEST)) }
 }
 
+/// Attributes of a vertex in clip space: color or normal, then two places for texture coordinates, then a factor on the color.
+pub(super) const LIGHT: usize = 3;
+/// Where the factor stands, if the plan says that factors are carried.
+pub(super) const FACTOR: usize = LIGHT + 2;
+const _: () = assert!(FACTOR + 3 == MAX_ATTRIBUTES);
+
 /// What varies at a vertex: the first three of its attributes.
 fn write(vertex: &mut ClipVertex, values: [f64; 3]) {
-    vertex.attributes[..3].copy_from_slice(&values);
+    vertex.attributes[..LIGHT].copy_from_slice(&values);
+}
+
+/// The factor on the color at a vertex.
+pub(super) fn factor_of(vertex: &ClipVertex) -> [f64; 3] {
+    let [_, _, _, _, _, r, g, b] = vertex.attributes;
+    [r, g, b]
 }

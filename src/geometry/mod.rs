@@ -2,22 +2,28 @@
 //!
 //! Scene + Plan -walk-> EyePolygon -CULL, CLIP-> ClippedPolygon -LIGHT, SPLIT, PROJECT-> ScreenPolygon
 //!
-//! [`run`] is the loop of figure 4; every step is a function of its own in a file of its own. FAROP lights after
+//! [`run`] walks the tree of objects and makes a list of tasks; `hand` is the loop of figure 4, `threads` shares the tasks among
+//! hands. Every step is a function of its own in a file of its own. FAROP lights after
 //! clipping; here, by default, the vertices of the scene are lit and a cut vertex takes its light from the two ends of
 //! its edge, because otherwise colors change as the camera moves. `--clip-light relight` is FAROP's order.
 //!
 //! Space: eye space (x right, y up, z along the view, left-handed) until clipping, then clip space (x, y, w) with the
 //! sides of the picture at x = +-w and y = +-w, then samples.
 //! Source: Pereira, "FAROP", IST/INESC 1996, section 4.3.2.
-//! Cost: linear in vertices; nothing is allocated per polygon, vertices shared inside a surface are moved and lit once.
+//! Cost: linear in vertices and polygons; nothing is allocated per polygon, vertices shared inside a surface are moved and lit once,
+//! and only those are lit that a polygon in view asks for. `docs/geometry.md` has the figures.
 
 pub mod clip;
 mod cull;
 mod flatten;
+mod hand;
 mod light;
+mod planes;
 pub mod predicates;
 mod project;
 pub mod split;
+mod tessellate;
+mod threads;
 mod trace;
 mod walk;
 
@@ -25,55 +31,86 @@ pub use cull::Facing;
 pub use flatten::flatten;
 pub use trace::{ClippedPolygon, EyePolygon, Trace};
 
-use crate::math::{Affine3, Vec3};
+use crate::math::Affine3;
 use crate::model;
-use crate::plan::{ClipPlane, Culling, Plan, Split};
+use crate::plan::Plan;
 use crate::report::Counts;
-use crate::scene::{Mesh, Polygon, Scene, Surface};
-use crate::screen::{DrawList, Source};
-use clip::{ClipVertex, ClipVolume, Clipped, Clipper, Outcode};
+use crate::scene::{Mesh, Scene, Surface, SurfaceId, Walk};
+use crate::screen::{DrawList, Shader, Source};
+use hand::Hand;
 use light::Lighting;
 use project::Projector;
-use walk::{EyeMesh, Tessellator};
+use std::ops::Range;
+use threads::Crew;
 
 /// Runs the whole stage: fills `list` with the screen polygons of `scene` under `plan`, in scene order.
 ///
-/// `list` is emptied first and keeps its memory, so that a walk through a scene allocates nothing after its first frame.
+/// `list` is emptied first and keeps its memory. Who makes frame after frame keeps a [`Stage`] as well.
 pub fn run(scene: &Scene, plan: &Plan, list: &mut DrawList) -> Counts {
-    Geometry::new(scene, plan, list, None).run()
+    Stage::default().run(scene, plan, list)
 }
 
 /// As [`run`], and keeps the value of every stage for every polygon: `--dump-stage` prints them.
 pub fn run_traced(scene: &Scene, plan: &Plan, list: &mut DrawList, trace: &mut Trace) -> Counts {
-    Geometry::new(scene, plan, list, Some(trace)).run()
+    let mut stage = Stage::default();
+    // One hand keeps the trace in order.
+    stage.crew.hands.push(Hand::tracing(std::mem::take(trace)));
+    let mut plan = plan.clone();
+    plan.choices.threads = Some(1);
+    let counts = stage.run(scene, &plan, list);
+    *trace = stage.crew.hands[0].trace.take().unwrap_or_default();
+    counts
 }
 
-/// The stage at work: what it reads, what it fills, and memory that polygons take turns in.
-struct Geometry<'a> {
+/// The geometry stage with its memory: with the same stage and the same list, a walk through a scene allocates nothing once its
+/// largest frame has been made (with one thread; starting threads takes memory).
+///
+/// What was in view before has no influence on the next frame.
+///
+/// ```
+/// use farop::geometry::Stage;
+/// use farop::plan::{Accepts, Choices, Plan};
+/// use farop::screen::DrawList;
+/// # fn draw(_: &DrawList) {}
+/// # let text = b"v\nfrom 0 0 4\nat 0 0 0\nup 0 1 0\nangle 45\nhither 1\nresolution 8 8\nf 1 1 1 1 0 0 0 0\ns 0 0 0 1\n";
+/// # let options = farop::parse::ParseOptions::default();
+/// # let mut scene = farop::parse::read_nff("doc", text, options).expect("a scene").scene;
+/// let (mut stage, mut list) = (Stage::default(), DrawList::new(0, 0));
+/// for _ in 0..3 {
+///     scene.camera.as_mut().expect("has one").from.x += 0.1;
+///     let plan = Plan::new(&scene, &Choices::default(), Accepts::AnyPolygon).expect("a view");
+///     stage.run(&scene, &plan, &mut list);
+///     draw(&list);
+/// }
+/// # assert!(list.len() > 10);
+/// ```
+#[derive(Default)]
+pub struct Stage {
+    walk: Walk,
+    tasks: Vec<Task>,
+    crew: Crew,
+}
+
+/// What all polygons of a frame have in common.
+struct Setting<'a> {
     scene: &'a Scene,
     plan: &'a Plan,
-    list: &'a mut DrawList,
-    trace: Option<&'a mut Trace>,
-    counts: Counts,
-    projector: Projector,
-    lighting: Lighting,
-    /// Vertices of the surface in hand, in eye space.
-    surface_mesh: EyeMesh,
-    /// Vertices of the shape in hand.
-    shape_mesh: EyeMesh,
-    tessellator: Tessellator,
-    polygon: Corners,
-    clipper: Clipper,
-    crossing: split::Crossing,
+    lighting: &'a Lighting,
+    projector: &'a Projector,
+    shader: &'a Shader,
 }
 
-/// The polygon in hand: its corners in eye space, and what varies at them.
-#[derive(Default)]
-struct Corners {
-    /// Indices into the mesh; the first is the file's first.
-    outline: Vec<u32>,
-    eye: Vec<Vec3>,
-    clip: Vec<ClipVertex>,
+/// A placed surface, or some of it.
+struct Task {
+    surface: SurfaceId,
+    world_from_local: Affine3,
+    /// The transform mirrors: outlines run the other way round.
+    mirrored: bool,
+    /// Index of the surface in the shader.
+    shading: u32,
+    polygons: Range<usize>,
+    /// Shapes among these polygons.
+    shapes: Range<usize>,
 }
 
 /// What the steps need to know of the surface or shape a polygon belongs to.
@@ -90,231 +127,106 @@ struct Part<'a> {
     shape: u32,
 }
 
-impl<'a> Geometry<'a> {
-    fn new(scene: &'a Scene, plan: &'a Plan, list: &'a mut DrawList, trace: Option<&'a mut Trace>) -> Self {
-        let projector = Projector::new(plan);
-        projector.prepare(plan, list);
-        Geometry {
-            scene,
-            plan,
-            list,
-            trace,
-            counts: Counts::default(),
-            projector,
-            lighting: Lighting::new(plan),
-            surface_mesh: EyeMesh::default(),
-            shape_mesh: EyeMesh::default(),
-            tessellator: Tessellator::default(),
-            polygon: Corners::default(),
-            clipper: Clipper::default(),
-            crossing: split::Crossing::default(),
-        }
-    }
+/// So many tasks are worked off together.
+const TASKS_AT_ONCE: usize = 1 << 14;
+/// Shapes of one task: few, so that threads find something to share.
+const SHAPES_AT_ONCE: usize = 16;
 
-    fn run(mut self) -> Counts {
-        self.lighting.prepare(self.scene, self.plan, &mut self.list.shader);
-        let scene = self.scene;
+impl Stage {
+    /// Fills `list` with the screen polygons of `scene` under `plan`, in scene order; it is emptied first and keeps its memory.
+    ///
+    /// The list does not depend on the number of threads, which is [`Plan::threads`].
+    pub fn run(&mut self, scene: &Scene, plan: &Plan, list: &mut DrawList) -> Counts {
+        let (projector, lighting) = (Projector::new(plan), Lighting::new(plan));
+        projector.prepare(plan, list);
+        let mut shader = std::mem::take(&mut list.shader);
+        lighting.prepare(scene, plan, &mut shader);
+        let mut counts = Counts::default();
+        let Stage { walk, tasks, crew } = self;
+        let mut work = |tasks: &mut Vec<Task>, shader: &Shader| {
+            let setting = Setting { scene, plan, lighting: &lighting, projector: &projector, shader };
+            crew.work(tasks, &setting, list);
+            tasks.clear();
+        };
         // The plan has walked the same tree within its budget.
-        let walked = scene.walk(|placed| {
-            self.counts.objects += 1;
+        let walked = scene.walk_with(walk, |placed| {
+            counts.objects += 1;
             for &id in &placed.object.surfaces {
-                self.surface(scene.surface(id), &placed.world_from_local);
+                let surface = scene.surface(id);
+                let shading = lighting.push_surface(&surface.material, surface.place, &mut shader);
+                push_tasks(surface, (id, placed.world_from_local, shading), tasks, &mut counts);
+                if tasks.len() >= TASKS_AT_ONCE {
+                    work(tasks, &shader);
+                }
             }
         });
         debug_assert!(walked.is_ok());
-        self.counts.work.vertices_lit = self.lighting.vertices_lit;
-        self.counts.work.specular_powers = self.list.shader.powers();
-        self.counts
-    }
-
-    /// One surface: its polygons and its shapes, in file order.
-    fn surface(&mut self, surface: &Surface, world_from_local: &Affine3) {
-        let shading = self.lighting.push_surface(&surface.material, surface.place, &mut self.list.shader);
-        let mirrored = model::mirrors(world_from_local);
-        self.counts.surfaces += 1;
-        self.counts.vertices += surface.mesh.vertices.len() as u64;
-        if model::normals_from(world_from_local).is_none() {
-            return self.skip(surface);
+        work(tasks, &shader);
+        for hand in &mut self.crew.hands {
+            hand.count(&mut counts, &shader);
         }
-        // Move shared vertices to eye space, once.
-        let mut eye_mesh = std::mem::take(&mut self.surface_mesh);
-        eye_mesh.fill(&surface.mesh, world_from_local, self.plan, &mut self.counts.work);
-        let part = Part { mesh: &surface.mesh, surface, shading, mirrored, tessellated: false, shape: 0 };
-        let mut next = 0;
-        for (number, primitive) in surface.primitives.iter().enumerate() {
-            self.polygons(part, &mut eye_mesh, next..primitive.before as usize);
-            next = primitive.before as usize;
-            self.shape(part, number, world_from_local);
-        }
-        self.polygons(part, &mut eye_mesh, next..surface.mesh.polygons.len());
-        self.surface_mesh = eye_mesh;
-    }
-
-    /// A transform that flattens space, or is not finite, leaves polygons without two sides: they and the shapes are only counted.
-    fn skip(&mut self, surface: &Surface) {
-        let polygons = surface.mesh.polygons.len() as u64;
-        self.counts.polygons += polygons;
-        self.counts.skipped += polygons + surface.primitives.len() as u64;
-    }
-
-    /// A shape: turned into polygons for this view, or left out when the view does not see it.
-    fn shape(&mut self, of: Part<'_>, number: usize, world_from_local: &Affine3) {
-        let mut tessellator = std::mem::take(&mut self.tessellator);
-        let mut eye_mesh = std::mem::take(&mut self.shape_mesh);
-        let primitive = &of.surface.primitives[number];
-        if tessellator.tessellate(primitive, world_from_local, self.plan, &mut self.counts.work) {
-            eye_mesh.fill(&tessellator.mesh, world_from_local, self.plan, &mut self.counts.work);
-            let part = Part { mesh: &tessellator.mesh, tessellated: true, shape: number as u32, ..of };
-            self.polygons(part, &mut eye_mesh, 0..tessellator.mesh.polygons.len());
-            // Both halves of a quad went through the loop; it was one polygon of the shape.
-            self.counts.nonplanar += tessellator.nonplanar;
-            self.counts.tessellated.polygons -= tessellator.nonplanar;
-        }
-        self.tessellator = tessellator;
-        self.shape_mesh = eye_mesh;
-    }
-
-    fn polygons(&mut self, part: Part<'_>, eye_mesh: &mut EyeMesh, range: std::ops::Range<usize>) {
-        for number in range {
-            let polygon = &part.mesh.polygons[number];
-            // A piece of a shape is known by its shape.
-            let number = if part.tessellated { part.shape } else { number as u32 };
-            let source = Source { line: polygon.line, number, tessellated: part.tessellated };
-            self.polygon(part, eye_mesh, polygon, source);
-        }
-    }
-
-    /// The inner loop of FAROP's figure 4, for one polygon.
-    fn polygon(&mut self, part: Part<'_>, eye_mesh: &mut EyeMesh, polygon: &Polygon, source: Source) {
-        let mut corners = std::mem::take(&mut self.polygon);
-        corners.collect(part, eye_mesh, polygon);
-        self.counts.add_polygon(part.tessellated);
-        if let Some(facing) = self.cull(part, &corners, source)
-            && let Some(crossed) = self.classify(part, eye_mesh, &corners)
-        {
-            // Light belongs to the vertices of the scene (with `relight`, normals take its place until clipping is done).
-            let normals = (polygon.normals, facing);
-            let carried = self.lighting.light_corners(part, eye_mesh, normals, &mut corners, &mut self.list.shader);
-            corners.place_in_clip_space(self.projector.clip_from_eye);
-            if self.clip(part, &corners.clip, (crossed, carried), source) {
-                let (clipped, clip_from_eye) = (&mut self.projector.clipped, self.projector.clip_from_eye);
-                self.lighting.relight(part.shading, clipped, clip_from_eye, &mut self.list.shader);
-                let crossing = !part.tessellated && self.crossing.is_in(&corners.eye, facing.newell());
-                self.counts.self_crossing += u64::from(crossing);
-                self.split_and_project(part, &corners.clip, (facing, crossing), source);
-            }
-        }
-        self.polygon = corners;
-    }
-
-    /// Cull: which way the polygon faces, or `None` when it is dropped.
-    fn cull(&mut self, part: Part<'_>, corners: &Corners, source: Source) -> Option<Facing> {
-        let facing = Facing::of(&corners.eye);
-        if let Some(trace) = self.trace.as_deref_mut() {
-            trace.eye.push(EyePolygon { source, corners: corners.eye.clone(), facing });
-        }
-        let two_sided = match self.plan.choices.culling {
-            Culling::Back => part.surface.two_sided,
-            Culling::Nff => part.surface.two_sided || !part.surface.material.is_opaque(),
-            Culling::None => true,
-        };
-        match facing {
-            Facing::NotFinite => self.counts.skipped += 1,
-            Facing::Back { .. } | Facing::EdgeOn if !two_sided => self.counts.add_backfacing(part.tessellated),
-            // Seen exactly edge-on it covers nothing, and its depth has no plane.
-            Facing::EdgeOn => self.counts.skipped += 1,
-            Facing::Front { .. } | Facing::Back { .. } => return Some(facing),
-        }
-        None
-    }
-
-    /// Clip, as far as outcodes tell: whether the polygon crosses a plane, or `None` when it is wholly outside one.
-    fn classify(&mut self, part: Part<'_>, eye_mesh: &EyeMesh, corners: &Corners) -> Option<bool> {
-        let (any, all) = eye_mesh.outcodes(&corners.outline);
-        if all != 0 {
-            self.counts.add_clipped(part.tessellated);
-            return None;
-        }
-        // Where nothing is snapped, nothing is cut at the sides.
-        let depths = ClipPlane::Hither.bit() | ClipPlane::Yon.bit();
-        Some(any & if self.plan.is_unsnapped() { depths } else { u8::MAX } != 0)
-    }
-
-    /// Clip: leaves in the projector what lies inside the view volume; `false` when nothing does.
-    ///
-    /// A polygon that crosses no plane passes untouched, to the last bit.
-    fn clip(
-        &mut self,
-        part: Part<'_>,
-        corners: &[ClipVertex],
-        (crossed, carried): (bool, usize),
-        source: Source,
-    ) -> bool {
-        let volume = ClipVolume { hither: self.plan.view.hither, yon: Some(self.plan.view.yon) };
-        let planes = if self.plan.is_unsnapped() { Outcode::DEPTHS } else { Outcode::ALL };
-        let left = if crossed { self.clipper.clip_by(planes, corners, &volume, carried) } else { Clipped::Inside };
-        let vertices = match left {
-            Clipped::Inside => corners,
-            Clipped::Cut(vertices) => vertices,
-            Clipped::Outside => {
-                self.counts.add_clipped(part.tessellated);
-                return false;
-            }
-            Clipped::NotFinite => {
-                self.counts.skipped += 1;
-                return false;
-            }
-        };
-        self.projector.clipped.clear();
-        self.projector.clipped.extend_from_slice(vertices);
-        self.counts.add_rendered(part.tessellated, crossed, vertices.len());
-        if let Some(trace) = self.trace.as_deref_mut() {
-            trace.clipped.push(ClippedPolygon { source, vertices: vertices.to_vec() });
-        }
-        true
-    }
-
-    /// Split where the plan says so, and project to the screen.
-    ///
-    /// An outline that crosses itself has no triangles that cover what even-odd covers: it stays whole, if it may, and what
-    /// varies follows its first three corners.
-    fn split_and_project(
-        &mut self,
-        part: Part<'_>,
-        corners: &[ClipVertex],
-        (facing, crossing): (Facing, bool),
-        source: Source,
-    ) {
-        let affine = crossing || self.lighting.is_affine(corners, &self.projector.clipped);
-        let split = match self.plan.needs.split {
-            Split::All => true,
-            Split::NotAffine => !affine,
-            Split::None => false,
-        };
-        let from_clipped = self.lighting.belongs_to_clipped();
-        let outline = project::Outline { corners, from_clipped, newell: facing.newell(), affine };
-        let report = self.projector.emit(&outline, split, (part.shading, source), self.list);
-        self.counts.split += u64::from(split && self.projector.clipped.len() > 3);
-        self.counts.forced_ears += report.forced as u64;
+        counts.work.specular_powers = shader.powers();
+        list.shader = shader;
+        counts
     }
 }
 
-impl Corners {
-    /// Looks up the corners of `polygon`; a mirroring transform turns the outline round, the first vertex stays first.
-    fn collect(&mut self, part: Part<'_>, eye_mesh: &EyeMesh, polygon: &Polygon) {
-        self.outline.clear();
-        self.outline.extend_from_slice(part.mesh.outline(polygon));
-        if part.mirrored {
-            self.outline[1..].reverse();
-        }
-        self.eye.clear();
-        self.eye.extend(self.outline.iter().map(|&index| eye_mesh.positions[index as usize]));
+/// Adds the tasks of one placed surface, in file order.
+///
+/// A transform that flattens space, or is not finite, leaves polygons without two sides: they and the shapes are only counted.
+fn push_tasks(
+    surface: &Surface,
+    (id, world_from_local, shading): (SurfaceId, Affine3, u32),
+    tasks: &mut Vec<Task>,
+    counts: &mut Counts,
+) {
+    let (polygons, shapes) = (surface.mesh.polygons.len(), surface.primitives.len());
+    counts.surfaces += 1;
+    counts.vertices += surface.mesh.vertices.len() as u64;
+    if model::normals_from(&world_from_local).is_none() {
+        counts.polygons += polygons as u64;
+        counts.skipped += (polygons + shapes) as u64;
+        return;
     }
+    let mirrored = model::mirrors(&world_from_local);
+    let mut push = |polygons, shapes| {
+        tasks.push(Task { surface: id, world_from_local, mirrored, shading, polygons, shapes });
+    };
+    // Shapes before and behind all polygons share nothing with them; those in between stay with the mesh.
+    let leading = surface.primitives.partition_point(|primitive| primitive.before == 0);
+    let trailing = surface.primitives.partition_point(|primitive| (primitive.before as usize) < polygons).max(leading);
+    let some = |range: Range<usize>| {
+        range.clone().step_by(SHAPES_AT_ONCE).map(move |start| start..(start + SHAPES_AT_ONCE).min(range.end))
+    };
+    some(0..leading).for_each(|shapes| push(0..0, shapes));
+    if polygons > 0 {
+        push(0..polygons, leading..trailing);
+    }
+    some(trailing..shapes).for_each(|shapes| push(0..0, shapes));
+}
 
-    /// Writes the positions of the corners, in clip space, beside what varies at them.
-    fn place_in_clip_space(&mut self, (kx, ky): (f64, f64)) {
-        for (vertex, eye) in self.clip.iter_mut().zip(&self.eye) {
-            vertex.position = Vec3::new(eye.x * kx, eye.y * ky, eye.z);
-        }
+impl Setting<'_> {
+    fn threads(&self) -> usize {
+        self.plan.threads()
+    }
+}
+
+impl Task {
+    /// The polygons of the surface itself.
+    fn part<'a>(&self, scene: &'a Scene) -> Part<'a> {
+        let surface = scene.surface(self.surface);
+        let (shading, mirrored) = (self.shading, self.mirrored);
+        Part { mesh: &surface.mesh, surface, shading, mirrored, tessellated: false, shape: 0 }
+    }
+}
+
+impl Part<'_> {
+    /// Where polygon `number` of the mesh comes from.
+    #[inline]
+    fn source(&self, number: u32) -> Source {
+        let line = self.mesh.polygons[number as usize].line;
+        // A piece of a shape is known by its shape.
+        let number = if self.tessellated { self.shape } else { number };
+        Source { line, number, tessellated: self.tessellated }
     }
 }

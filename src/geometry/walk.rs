@@ -1,4 +1,4 @@
-//! Walk: the vertices of a surface, moved to eye space and classified, once each.
+//! Walk: the vertices of a surface, moved to eye space and classified, once each, in arrays.
 //!
 //! Scene -> WALK -> EyePolygon -> cull
 //!
@@ -6,16 +6,18 @@
 //! again for each polygon would be the largest cost of the stage.
 //! Why an outcode: one bit a plane, set where the vertex lies outside. The AND over a polygon's corners tells that it is
 //! wholly outside one plane, the OR which planes it crosses; only those are ever cut.
+//! Why asking: light is computed after culling, and only where a polygon in view asks for it. A vertex that was asked for knows
+//! its place in an array of colors without gaps, one place for each side it is seen from.
 //!
 //! Space: local -> world -> (world - eye) -> eye space, in f64.
 
-use crate::color::Rgb;
+use super::cull::Survivor;
+use super::{Part, Setting};
 use crate::math::{Affine3, Mat3, Vec3, unit};
-use crate::model::segments::Lens;
-use crate::model::{self, Detail};
-use crate::plan::{ClipPlane, FlatRule, Plan, View, is_outside};
+use crate::model;
+use crate::plan::{FlatRule, NeedsMode, Plan, Shading, View};
 use crate::report::Work;
-use crate::scene::{Mesh, NormalSource, Primitive, Shape};
+use crate::scene::{Mesh, NormalSource};
 
 /// The vertices of a [`Mesh`] in eye space.
 #[derive(Default)]
@@ -23,132 +25,233 @@ pub(super) struct EyeMesh {
     pub positions: Vec<Vec3>,
     /// Unit normals on the front side; zero where none is given. Empty where nothing needs them.
     pub normals: Vec<Vec3>,
-    /// Factors on the color of the surface, linear light; empty where the mesh has none, or none is needed.
-    pub colors: Vec<Rgb>,
     /// Bits of the planes a vertex lies outside of; empty where no plane needs testing.
     codes: Vec<u8>,
-    /// Light of a vertex seen from the front and from the back, once it was asked for.
-    pub lit: [Vec<Option<Rgb>>; 2],
-    local_normals: Vec<Vec3>,
+    /// Of every vertex, seen from the front and from the back: its place in `asked` and `lit`, or [`NOT_ASKED`]. Empty where no
+    /// vertex is lit.
+    slots: Vec<[u32; 2]>,
+    /// Vertices whose light was asked for, and the side it was asked for, in the order of asking.
+    asked: Vec<(u32, Side)>,
+    /// Their light, as far as it has been computed.
+    lit: Vec<[f64; 3]>,
+    /// Means of normals, local space.
+    means: Vec<Vec3>,
+}
+
+const NOT_ASKED: u32 = u32::MAX;
+
+/// The side of a vertex that the eye sees.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Side {
+    Front,
+    Back,
+}
+
+/// Some vertices of an [`EyeMesh`]: what one thread fills.
+pub(super) struct VertexRange<'a> {
+    vertices: &'a [Vec3],
+    local_normals: &'a [Vec3],
+    positions: &'a mut [Vec3],
+    codes: &'a mut [u8],
+    normals: &'a mut [Vec3],
+}
+
+/// Some vertices whose light was asked for: what one thread lights.
+pub(super) struct AskedRange<'a> {
+    positions: &'a [Vec3],
+    normals: &'a [Vec3],
+    asked: &'a [(u32, Side)],
+    lit: &'a mut [[f64; 3]],
 }
 
 impl EyeMesh {
-    /// Moves every vertex of `mesh` to eye space and computes what the plan needs of it.
-    pub fn fill(&mut self, mesh: &Mesh, world_from_local: &Affine3, plan: &Plan, work: &mut Work) {
-        let view = &plan.view;
-        self.positions.clear();
-        let local = mesh.vertices.iter();
-        self.positions.extend(local.map(|&vertex| view.to_eye(world_from_local.transform_point3(vertex))));
-        work.vertices_transformed += mesh.vertices.len() as u64;
-        self.classify(view, plan.needs.clip, work);
-        self.lit.iter_mut().for_each(|side| {
-            side.clear();
-            side.resize(if plan.needs.light { mesh.vertices.len() } else { 0 }, None);
-        });
-        self.normals.clear();
-        self.colors.clear();
-        if plan.needs.light {
-            self.colors.extend(mesh.colors.iter().map(|&color| plan.choices.encoding.decode(color)));
-            self.turn_normals(mesh, world_from_local, plan, work);
-        }
+    /// Forgets the mesh before and makes room for `mesh`; its vertices are still to be filled.
+    pub fn open<'a>(&'a mut self, mesh: &'a Mesh, setting: &Setting<'_>, work: &mut Work) -> VertexRange<'a> {
+        let (count, planes) = (mesh.vertices.len(), setting.plan.needs.clip);
+        // Not cleared: every number is written anew.
+        self.positions.resize(count, Vec3::ZERO);
+        self.codes.resize(if planes == 0 { 0 } else { count }, 0);
+        let local_normals = local_normals(mesh, setting.plan, &mut self.means);
+        self.normals.resize(local_normals.len(), Vec3::ZERO);
+        self.slots.clear();
+        let has_lit_vertices = setting.lighting.lights_vertices() && !local_normals.is_empty();
+        self.slots.resize(if has_lit_vertices { count } else { 0 }, [NOT_ASKED; 2]);
+        self.asked.clear();
+        self.lit.clear();
+        work.vertices_transformed += count as u64;
+        work.plane_tests += self.codes.len() as u64 * u64::from(planes.count_ones());
+        work.normals += local_normals.len() as u64;
+        let (positions, codes, normals) = (&mut self.positions, &mut self.codes, &mut self.normals);
+        VertexRange { vertices: &mesh.vertices, local_normals, positions, codes, normals }
     }
 
     /// OR and AND of the outcodes of `outline`.
+    #[inline]
     pub fn outcodes(&self, outline: &[u32]) -> (u8, u8) {
         if self.codes.is_empty() {
             return (0, 0);
         }
-        outline
-            .iter()
-            .map(|&index| self.codes[index as usize])
-            .fold((0, 0xFF), |(any, all), code| (any | code, all & code))
+        let codes = outline.iter().map(|&index| self.codes[index as usize]);
+        codes.fold((0, 0xFF), |(any, all), code| (any | code, all & code))
     }
 
-    fn classify(&mut self, view: &View, planes: u8, work: &mut Work) {
-        self.codes.clear();
-        if planes == 0 {
+    /// The normal that `polygon`'s kind of light takes at a vertex, if the vertex has one.
+    #[inline]
+    pub fn normal(&self, vertex: u32) -> Option<Vec3> {
+        self.normals.get(vertex as usize).copied().filter(|&normal| normal != Vec3::ZERO)
+    }
+
+    /// Asks for the light of the vertices of `survivors`, once for each side a vertex is seen from.
+    pub fn ask(&mut self, part: Part<'_>, survivors: &[Survivor]) {
+        if self.slots.is_empty() {
             return;
         }
-        let (kx, ky) = view.clip_from_eye();
-        work.plane_tests += self.positions.len() as u64 * u64::from(planes.count_ones());
-        self.codes.extend(self.positions.iter().map(|eye| {
-            // The same products as the clipper sees, so that both agree on what lies on a plane.
-            let (x, y, w) = (eye.x * kx, eye.y * ky, eye.z);
-            let outside = [w < view.hither, x < -w, x > w, y < -w, y > w, w > view.yon];
-            let bits = ClipPlane::ALL.into_iter().zip(outside).filter(|&(_, outside)| outside);
-            bits.fold(0, |code, (plane, _)| code | plane.bit()) & planes
-        }));
+        for survivor in survivors {
+            let polygon = &part.mesh.polygons[survivor.polygon as usize];
+            if polygon.normals == NormalSource::Facet {
+                continue;
+            }
+            let side = Side::of(survivor);
+            for &vertex in part.mesh.outline(polygon) {
+                let slot = &mut self.slots[vertex as usize][side as usize];
+                // Without a normal of its own it is lit with the polygon's.
+                if *slot == NOT_ASKED && self.normals[vertex as usize] != Vec3::ZERO {
+                    *slot = self.asked.len() as u32;
+                    self.asked.push((vertex, side));
+                }
+            }
+        }
     }
 
-    fn turn_normals(&mut self, mesh: &Mesh, world_from_local: &Affine3, plan: &Plan, work: &mut Work) {
-        let view = &plan.view;
-        // SIPP knew no facets: its flat shading takes the mean there, too.
-        let with_mean: &[NormalSource] = match plan.choices.flat {
-            FlatRule::Face | FlatRule::Vertex => &[NormalSource::Averaged],
-            FlatRule::Sipp => &[NormalSource::Averaged, NormalSource::Facet],
-        };
-        model::vertex_normals(mesh, with_mean, &mut self.local_normals);
-        // Only directions matter: a normal that a singular map leaves without one is given up for the polygon's own.
-        let identity = world_from_local.matrix3 == Mat3::IDENTITY;
-        let world_normals = model::normals_from(world_from_local).unwrap_or(Mat3::ZERO);
-        let to_eye = |&normal: &Vec3| view.eye_from_world * turned(normal, &world_normals, identity);
-        self.normals.extend(self.local_normals.iter().map(to_eye));
-        work.normals += self.normals.len() as u64;
+    /// What was asked for and has no light yet.
+    pub fn unlit(&mut self) -> AskedRange<'_> {
+        let known = self.lit.len();
+        self.lit.resize(self.asked.len(), [0.0; 3]);
+        let EyeMesh { positions, normals, asked, lit, .. } = self;
+        AskedRange { positions, normals, asked: &asked[known..], lit: &mut lit[known..] }
+    }
+
+    /// The light of a vertex that was asked for.
+    #[inline]
+    pub fn light(&self, vertex: u32, side: Side) -> [f64; 3] {
+        self.lit[self.slots[vertex as usize][side as usize] as usize]
     }
 }
 
+/// The normals of `mesh` in local space, given ones and means; none where nothing looks at them.
+fn local_normals<'a>(mesh: &'a Mesh, plan: &Plan, means: &'a mut Vec<Vec3>) -> &'a [Vec3] {
+    let sipp = plan.choices.flat == FlatRule::Sipp;
+    // One color a polygon is the light of its own normal.
+    let idle = plan.choices.shading == Shading::Flat
+        && plan.choices.flat == FlatRule::Face
+        && plan.choices.needs == NeedsMode::Derived;
+    if !plan.needs.light || idle {
+        return &[];
+    }
+    // SIPP knew no facets: its flat shading takes the mean there, too.
+    let with_mean: &[NormalSource] =
+        if sipp { &[NormalSource::Averaged, NormalSource::Facet] } else { &[NormalSource::Averaged] };
+    if !mesh.polygons.iter().any(|polygon| with_mean.contains(&polygon.normals)) {
+        return &mesh.normals;
+    }
+    model::vertex_normals(mesh, with_mean, means);
+    means
+}
+
+impl<'a> VertexRange<'a> {
+    /// How many vertices.
+    pub fn len(&self) -> usize {
+        self.vertices.len()
+    }
+
+    /// The first `count` vertices, and the rest.
+    pub fn split_at(self, count: usize) -> (VertexRange<'a>, VertexRange<'a>) {
+        let (vertices, positions) = (self.vertices.split_at(count), self.positions.split_at_mut(count));
+        // Codes and normals may be missing.
+        let codes = self.codes.split_at_mut(count.min(self.codes.len()));
+        let with_normal = count.min(self.normals.len());
+        let local_normals = self.local_normals.split_at(with_normal);
+        let normals = self.normals.split_at_mut(with_normal);
+        let range = |vertices, local_normals, positions, codes, normals| VertexRange {
+            vertices,
+            local_normals,
+            positions,
+            codes,
+            normals,
+        };
+        (
+            range(vertices.0, local_normals.0, positions.0, codes.0, normals.0),
+            range(vertices.1, local_normals.1, positions.1, codes.1, normals.1),
+        )
+    }
+
+    /// Moves the vertices to eye space and computes what the plan needs of them.
+    pub fn fill(self, world_from_local: &Affine3, plan: &Plan) {
+        let view = &plan.view;
+        for (eye, &vertex) in self.positions.iter_mut().zip(self.vertices) {
+            *eye = view.to_eye(world_from_local.transform_point3(vertex));
+        }
+        for (code, eye) in self.codes.iter_mut().zip(&*self.positions) {
+            *code = outcode(eye, view) & plan.needs.clip;
+        }
+        // Only directions matter: a normal that a singular map leaves without one is given up for the polygon's own.
+        let identity = world_from_local.matrix3 == Mat3::IDENTITY;
+        let world_normals = model::normals_from(world_from_local).unwrap_or(Mat3::ZERO);
+        for (normal, &local) in self.normals.iter_mut().zip(self.local_normals) {
+            *normal = view.eye_from_world * turned(local, &world_normals, identity);
+        }
+    }
+}
+
+/// Bits of the planes that a point in eye space lies outside of.
+#[inline]
+fn outcode(eye: &Vec3, view: &View) -> u8 {
+    let (kx, ky) = view.clip_from_eye();
+    // The same products as the clipper sees, so that both agree on what lies on a plane.
+    let (x, y, w) = (eye.x * kx, eye.y * ky, eye.z);
+    let outside = [w < view.hither, x < -w, x > w, y < -w, y > w, w > view.yon];
+    (0..).zip(outside).fold(0, |code, (plane, is_outside)| code | u8::from(is_outside) << plane)
+}
+
 /// A normal in world space; under the identity the very same bits.
+#[inline]
 fn turned(normal: Vec3, world_normals: &Mat3, identity: bool) -> Vec3 {
     if identity || normal == Vec3::ZERO { normal } else { unit(*world_normals * normal).unwrap_or(Vec3::ZERO) }
 }
 
-/// Turns shapes into polygons, fine enough for the view; keeps its memory from shape to shape.
-#[derive(Default)]
-pub(super) struct Tessellator {
-    pub mesh: Mesh,
-    /// Quads of the shape that became two triangles each, because they are not planar.
-    pub nonplanar: u64,
+impl Side {
+    /// The side of its polygon's vertices that the eye sees.
+    #[inline]
+    pub fn of(survivor: &Survivor) -> Side {
+        if survivor.facing.is_back() { Side::Back } else { Side::Front }
+    }
+
+    /// A normal on the front, turned to this side.
+    #[inline]
+    pub fn turn(self, normal: Vec3) -> Vec3 {
+        if self == Side::Back { -normal } else { normal }
+    }
 }
 
-impl Tessellator {
-    /// Fills `mesh` with the polygons of `primitive`; `false` when it lies outside the view and nothing asks for it.
-    pub fn tessellate(
-        &mut self,
-        primitive: &Primitive,
-        world_from_local: &Affine3,
-        plan: &Plan,
-        work: &mut Work,
-    ) -> bool {
-        self.mesh.clear();
-        if !plan.needs.shapes_outside && is_outside(&primitive.shape, world_from_local, &plan.view) {
-            work.shapes_outside += 1;
-            return false;
+impl<'a> AskedRange<'a> {
+    /// How many vertices.
+    pub fn len(&self) -> usize {
+        self.asked.len()
+    }
+
+    /// The first `count` of them, and the rest.
+    pub fn split_at(self, count: usize) -> (AskedRange<'a>, AskedRange<'a>) {
+        let AskedRange { positions, normals, asked, lit } = self;
+        let (asked, lit) = (asked.split_at(count), lit.split_at_mut(count));
+        let range = |asked, lit| AskedRange { positions, normals, asked, lit };
+        (range(asked.0, lit.0), range(asked.1, lit.1))
+    }
+
+    /// Computes their light, `light` of a vertex at a point with a normal.
+    pub fn fill(self, mut light: impl FnMut(u32, (Vec3, Vec3)) -> [f64; 3]) {
+        for (&(vertex, side), lit) in self.asked.iter().zip(self.lit) {
+            let normal = side.turn(self.normals[vertex as usize]);
+            *lit = light(vertex, (self.positions[vertex as usize], normal));
         }
-        let detail = detail(primitive, world_from_local, plan);
-        self.nonplanar = model::tessellate(&primitive.shape, primitive.inside, detail, primitive.line, &mut self.mesh);
-        work.shape_vertices += self.mesh.vertices.len() as u64;
-        true
     }
-}
-
-/// How finely a shape is cut up: as its file says, as the user fixed it, or so that its silhouette is within the tolerance.
-pub(super) fn detail(primitive: &Primitive, world_from_local: &Affine3, plan: &Plan) -> Detail {
-    match (primitive.resolution, plan.choices.resolution) {
-        (Some(pair), _) => Detail::Grid(pair),
-        (None, Some(resolution)) => Detail::Resolution(resolution),
-        (None, None) => Detail::Grid(segments(&primitive.shape, world_from_local, plan)),
-    }
-}
-
-fn segments(shape: &Shape, world_from_local: &Affine3, plan: &Plan) -> [u32; 2] {
-    let view = &plan.view;
-    let (half_width, half_height) = view.half();
-    let corner_tangent_squared = (half_width * half_width + half_height * half_height) / (view.scale * view.scale);
-    let lens = Lens {
-        // The tolerance is in pixels of the final picture, not in samples.
-        pixels_per_unit_tangent: view.scale / f64::from(view.samples),
-        hither: view.hither,
-        corner_cosine: 1.0 / (1.0 + corner_tangent_squared).sqrt(),
-    };
-    model::segments::segments(shape, &(view.eye_from_world_affine() * *world_from_local), &lens, plan.choices.tolerance)
 }

@@ -3,8 +3,8 @@
 //! A span: neighboring samples that the same faces cover. Cost: faces times samples of the line, and halving.
 
 use super::case::Case;
-use super::stack::Stack;
 use super::rules::{LineSpans, Rules};
+use super::stack::Stack;
 
 /// A span: samples from `first` up to `end`, and the faces that are thought to cover all of it.
 struct Span {

@@ -33,7 +33,12 @@ impl Address {
 type Color<'a> = &'a dyn Fn(usize, (i32, i32)) -> [f64; 3];
 
 /// The samples as they are read in the end, row by row.
-pub(super) fn paint(case: &Case, rules: &Rules, covering: &Covering, (empty, color): (Sample, Color<'_>)) -> Vec<Sample> {
+pub(super) fn paint(
+    case: &Case,
+    rules: &Rules,
+    covering: &Covering,
+    (empty, color): (Sample, Color<'_>),
+) -> Vec<Sample> {
     let (size, side) = ((case.width as i32, case.height as i32), case.samples as i32);
     let Memory { depth_at, color_at } = rules.memory;
     let mut depths: BTreeMap<i32, f64> = BTreeMap::new();

@@ -74,7 +74,8 @@ impl Block {
 
     /// The sample that decides about another.
     pub(super) fn of(self, face: &Face, (x, y): (i32, i32)) -> (i32, i32) {
-        let least = |pick: fn(&(f64, f64)) -> f64| face.corners.iter().map(pick).fold(f64::INFINITY, f64::min).floor() as i32;
+        let least =
+            |pick: fn(&(f64, f64)) -> f64| face.corners.iter().map(pick).fold(f64::INFINITY, f64::min).floor() as i32;
         let (left, top) = if self.from_bounds { (least(|corner| corner.0), least(|corner| corner.1)) } else { (0, 0) };
         (x - (x - left).rem_euclid(self.size.0) + self.at.0, y - (y - top).rem_euclid(self.size.1) + self.at.1)
     }

@@ -49,7 +49,7 @@ pub struct Choices {
     pub angle: AngleSpan,
     /// Compute only what the scene needs, or everything.
     pub needs: NeedsMode,
-    /// Threads a rasterizer may use; `None`: as many as the machine has. The picture does not depend on it.
+    /// Threads the geometry stage and a rasterizer may use; `None`: as many as the machine has. The picture does not depend on it.
     pub threads: Option<u32>,
     /// Larger pictures are refused.
     pub max_pixels: u64,

@@ -57,14 +57,20 @@ impl Varying {
         }
     }
 
-    /// How many of them clipping carries along: eye points follow from positions.
+    /// Which attributes of a vertex clipping carries along, by their places there: eye points follow from positions.
     #[must_use]
-    pub fn carried(self) -> usize {
+    pub fn carried(self) -> &'static [usize] {
         match self {
-            Varying::Nothing => 0,
-            Varying::Color | Varying::NormalEye => 3,
-            Varying::NormalEyeColor => 6,
+            Varying::Nothing => &[],
+            Varying::Color | Varying::NormalEye => &[0, 1, 2],
+            Varying::NormalEyeColor => &[0, 1, 2, 5, 6, 7],
         }
+    }
+
+    /// Whether a factor on the color varies beside normals.
+    #[must_use]
+    pub fn has_factor(self) -> bool {
+        self == Varying::NormalEyeColor
     }
 
     /// Whether normals and eye points vary, and light is for the rasterizer to compute.
@@ -127,6 +133,13 @@ impl Plan {
     #[must_use]
     pub fn is_unsnapped(&self) -> bool {
         self.choices.subpixel_bits == EXACT_SUBPIXELS && self.choices.shading != Shading::Wire
+    }
+
+    /// How many threads the stages may use; at least 1. No bit of a list or a picture depends on it.
+    #[must_use]
+    pub fn threads(&self) -> usize {
+        let available = || std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+        self.choices.threads.map_or_else(available, |threads| threads as usize).max(1)
     }
 
     /// What interpolation carries under this shading.

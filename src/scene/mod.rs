@@ -22,7 +22,7 @@ pub use light::{Light, LightSource, SpotEdge};
 pub use material::{Material, Reflection};
 pub use mesh::{Mesh, NormalSource, Polygon};
 pub use shape::{CurveNet, PatchNet, Primitive, Shape, TeapotPart, TextureMapping};
-pub use tree::{InstanceBudgetExceeded, Placed};
+pub use tree::{InstanceBudgetExceeded, Placed, Walk};
 pub use triangles::{MAGIC, MOST_LIGHTS, TriangleKind, TriangleRange, Triangles};
 
 use crate::color::Rgb;

@@ -25,6 +25,15 @@ pub struct InstanceBudgetExceeded {
     pub budget: usize,
 }
 
+/// Memory for walking a tree; keep one and walk frame after frame without allocating.
+#[derive(Debug, Default)]
+pub struct Walk {
+    stack: Vec<(ObjectId, Affine3)>,
+    counts: Vec<Option<usize>>,
+    open: Vec<bool>,
+    counting: Vec<ObjectId>,
+}
+
 impl Scene {
     /// How many object instances a scene may have.
     pub const INSTANCE_BUDGET: usize = 20_000_000;
@@ -33,14 +42,23 @@ impl Scene {
     ///
     /// # Errors
     /// [`InstanceBudgetExceeded`] when there are more than [`Scene::INSTANCE_BUDGET`] instances.
-    pub fn walk(&self, mut visit: impl FnMut(Placed<'_>)) -> Result<(), InstanceBudgetExceeded> {
+    pub fn walk(&self, visit: impl FnMut(Placed<'_>)) -> Result<(), InstanceBudgetExceeded> {
+        self.walk_with(&mut Walk::default(), visit)
+    }
+
+    /// As [`Scene::walk`], with memory that was used before.
+    ///
+    /// # Errors
+    /// As [`Scene::walk`].
+    pub fn walk_with(&self, walk: &mut Walk, mut visit: impl FnMut(Placed<'_>)) -> Result<(), InstanceBudgetExceeded> {
         // Counted beforehand: 20 million visits take seconds, to no end.
-        if self.instances().is_none() {
+        if self.instances(walk).is_none() {
             return Err(InstanceBudgetExceeded { budget: Scene::INSTANCE_BUDGET });
         }
         // Children go onto the stack in reverse, so that the first comes off first.
-        let mut stack: Vec<(ObjectId, Affine3)> =
-            self.world.iter().rev().map(|&id| (id, self.object(id).parent_from_local)).collect();
+        let stack = &mut walk.stack;
+        stack.clear();
+        stack.extend(self.world.iter().rev().map(|&id| (id, self.object(id).parent_from_local)));
         while let Some((id, world_from_local)) = stack.pop() {
             let object = self.object(id);
             visit(Placed { object, id, world_from_local });
@@ -51,28 +69,29 @@ impl Scene {
     }
 
     /// How many instances there are; `None` for more than the budget and for an object within itself. Every object is looked at once.
-    fn instances(&self) -> Option<usize> {
-        let mut counts: Vec<Option<usize>> = vec![None; self.objects.len()];
-        let mut open = vec![false; self.objects.len()];
+    fn instances(&self, walk: &mut Walk) -> Option<usize> {
+        let Walk { counts, open, counting: stack, .. } = walk;
+        (counts.clear(), counts.resize(self.objects.len(), None));
+        (open.clear(), open.resize(self.objects.len(), false));
         let of = |counts: &[Option<usize>], ids: &[ObjectId]| {
             let sum = ids.iter().try_fold(0_usize, |sum, id| Some(sum.saturating_add(counts[id.0 as usize]?)));
             sum.filter(|&sum| sum <= Scene::INSTANCE_BUDGET)
         };
-        let mut stack = self.world.clone();
+        (stack.clear(), stack.extend_from_slice(&self.world));
         while let Some(&id) = stack.last() {
             let (index, children) = (id.0 as usize, &self.object(id).children);
             if counts[index].is_some() {
                 stack.pop();
             } else if open[index] {
                 // Everything below has been counted, unless it leads back here.
-                counts[index] = Some(1 + of(&counts, children)?);
+                counts[index] = Some(1 + of(counts, children)?);
                 stack.pop();
             } else {
                 open[index] = true;
                 stack.extend(children.iter().filter(|child| !open[child.0 as usize]));
             }
         }
-        of(&counts, &self.world)
+        of(counts, &self.world)
     }
 }
 

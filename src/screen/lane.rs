@@ -4,7 +4,7 @@
 //! so the order is written once, here and in [`super::shader`], for anything that adds, multiplies, divides and compares like an IEEE 754
 //! number in every lane.
 
-use crate::math::power_of_two_below;
+use crate::math::power_of_two_below_reciprocal;
 use std::ops::{Add, BitAnd, Div, Mul, Sub};
 
 /// A number or a vector of numbers.
@@ -180,7 +180,7 @@ fn largest<T: Wide>(v: [T; 3]) -> T {
 
 /// A power of two that brings `largest` near 1; 1 where there is none.
 fn scale_to_one(largest: f64) -> f64 {
-    if largest > 0.0 && largest.is_finite() { power_of_two_below(1.0 / largest) } else { 1.0 }
+    if largest > 0.0 && largest.is_finite() { power_of_two_below_reciprocal(largest) } else { 1.0 }
 }
 
 #[cfg(test)]

@@ -40,8 +40,7 @@ const FAN_SHORT: [&str; 4] = [
 ];
 const TURNED: [&str; 4] =
     ["x and y exchanged", "Rows and columns are exchanged.", "A pixel stands at y * width + x.", PAGE];
-const UPSIDE: [&str; 4] =
-    ["upside down", "The picture is upside down.", "y runs down: row 0 is the uppermost.", PAGE];
+const UPSIDE: [&str; 4] = ["upside down", "The picture is upside down.", "y runs down: row 0 is the uppermost.", PAGE];
 const MIRRORED: [&str; 4] =
     ["mirrored", "Left and right are exchanged.", "x runs to the right: column 0 is the leftmost.", PAGE];
 const HALF: [&str; 4] =
@@ -185,7 +184,9 @@ fn followed() -> Vec<Mutant> {
         mutant(WHOLE, |rules| rules.corners = Rounding::Down),
         mutant(WHOLE, |rules| rules.corners = Rounding::Nearest),
         mutant(WHOLE, |rules| rules.corners = Rounding::Up),
-        mutant(WHOLE, |rules| (rules.corners, rules.cover_at, rules.value_at) = (Rounding::Down, (0.0, 0.0), (0.0, 0.0))),
+        mutant(WHOLE, |rules| {
+            (rules.corners, rules.cover_at, rules.value_at) = (Rounding::Down, (0.0, 0.0), (0.0, 0.0))
+        }),
         mutant(WHOLE, |rules| (rules.corners, rules.ties) = (Rounding::Down, Ties::All)),
         mutant(WHOLE, |rules| (rules.corners, rules.ties) = (Rounding::Nearest, Ties::All)),
     ];
@@ -229,7 +230,7 @@ fn shifted() -> Vec<Mutant> {
 
 /// Mistakes of an edge table, with what follows where a span runs over the side of the picture, or stays where it should be.
 fn scans() -> Vec<Mutant> {
-    use super::spans::{MUTANTS, NARROW, SHORT, FORGOTTEN};
+    use super::spans::{FORGOTTEN, MUTANTS, NARROW, SHORT};
     let own = [
         mutant(FORGOTTEN, |rules| scan(rules, |scan| scan.slope = Slope::FirstRow)),
         mutant(SHORT, |rules| scan(rules, |scan| scan.edges = Edges::ShortLost)),
@@ -242,9 +243,7 @@ fn scans() -> Vec<Mutant> {
     let spills: fn(&mut Rules) = |rules| scan(rules, |scan| scan.spills = true);
     let rightly: fn(&mut Rules) = |rules| scan(rules, |scan| scan.pairs = Pairs::Rightly);
     let both: fn(&mut Rules) = |rules| scan(rules, |scan| (scan.pairs, scan.spills) = (Pairs::Rightly, true));
-    let sloped = |mutant: &&Mutant| {
-        matches!(mutant.applied_to(&Rules::default()).fill, Fill::Scan(scan) if scan.slope != Slope::Exact || scan.ahead != 0)
-    };
+    let sloped = |mutant: &&Mutant| matches!(mutant.applied_to(&Rules::default()).fill, Fill::Scan(scan) if scan.slope != Slope::Exact || scan.ahead != 0);
     let sloped: Vec<Mutant> = all.iter().filter(sloped).copied().collect();
     [own.to_vec(), each_with(&all, &[spills]), each_with(&sloped, &[rightly, both])].concat()
 }

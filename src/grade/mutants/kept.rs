@@ -58,12 +58,8 @@ const MARGIN: [&str; 4] = [
     "Compare with >, without a margin: depths are decided by the last digit.",
     PAGE,
 ];
-const TEXT: [&str; 4] = [
-    "distances sorted as text",
-    "Distances are compared as texts: 100 comes before 20.",
-    "Compare numbers.",
-    PAGE,
-];
+const TEXT: [&str; 4] =
+    ["distances sorted as text", "Distances are compared as texts: 100 comes before 20.", "Compare numbers.", PAGE];
 const FAR: [&str; 4] = [
     "far wins",
     "The farther polygon hides the nearer: depth is compared the wrong way.",
@@ -168,7 +164,8 @@ fn divides_all(rules: &mut Rules) {
 }
 
 fn steps() -> Vec<Mutant> {
-    let numbers = [4.0, 8.0, 10.0, 16.0, 20.0, 32.0, 50.0, 64.0, 100.0, 127.0, 128.0, 200.0, 255.0, 256.0, 500.0, 512.0];
+    let numbers =
+        [4.0, 8.0, 10.0, 16.0, 20.0, 32.0, 50.0, 64.0, 100.0, 127.0, 128.0, 200.0, 255.0, 256.0, 500.0, 512.0];
     let fine = [1000.0, 1024.0, 4096.0, 10_000.0, 32_768.0, 65_535.0, 65_536.0];
     let all = [numbers.as_slice(), &fine].concat();
     let cut = family(STEPS, &all, |rules, steps| rules.depth = DepthFrom::Steps(steps));
@@ -194,7 +191,9 @@ fn orders() -> Vec<Mutant> {
         mutant(FIRST, |rules| rules.front = Front::First),
         mutant(FAR, |rules| (rules.front, rules.later_wins_ties) = (Front::Farthest, true)),
         mutant(FAR, |rules| (rules.front, rules.depth) = (Front::Farthest, DepthFrom::LinearW)),
-        mutant(FAR, |rules| (rules.front, rules.depth, rules.later_wins_ties) = (Front::Farthest, DepthFrom::LinearW, true)),
+        mutant(FAR, |rules| {
+            (rules.front, rules.depth, rules.later_wins_ties) = (Front::Farthest, DepthFrom::LinearW, true)
+        }),
     ];
     let glass: [fn(&mut Rules); 8] = [
         |_| (),

@@ -44,27 +44,47 @@ pub struct Shader {
 pub const BRIGHTEST: f64 = 1e30;
 
 impl Shader {
+    /// Forgets lights, surfaces and counts, and keeps its memory for the next frame.
+    pub fn clear(&mut self) {
+        self.lights.clear();
+        self.surfaces.clear();
+        let (lights, surfaces) = (std::mem::take(&mut self.lights), std::mem::take(&mut self.surfaces));
+        *self = Shader { lights, surfaces, ..Shader::default() };
+    }
+
     /// Light that the point `eye` of a surface with unit normal `normal` sends to the eye, which stands at the origin.
     ///
     /// NFF's model is not clamped: a value above 1 is brighter than the display and is cut once, when the picture is written.
     #[must_use]
     pub fn light(&self, surface: u32, eye: Vec3, normal: Vec3) -> Rgb {
-        let mut powers = 0;
-        let points = Points { eye: eye.to_array(), normal: normal.to_array(), factor: None, wanted: true };
-        let light = self.light_of(&self.surfaces[surface as usize], points, &mut powers);
-        self.add_powers(powers);
-        light.into()
+        self.light_and_count(surface, (eye, normal), None)
     }
 
     /// As [`Shader::light`], where the color of the surface is multiplied with `color`, linear light.
     #[must_use]
-    pub fn light_colored(&self, surface: u32, (eye, normal): (Vec3, Vec3), color: Rgb) -> Rgb {
+    pub fn light_colored(&self, surface: u32, point: (Vec3, Vec3), color: Rgb) -> Rgb {
+        self.light_and_count(surface, point, Some(color))
+    }
+
+    fn light_and_count(&self, surface: u32, point: (Vec3, Vec3), factor: Option<Rgb>) -> Rgb {
         let mut powers = 0;
-        let factor = Some(color.to_array());
-        let points = Points { eye: eye.to_array(), normal: normal.to_array(), factor, wanted: true };
-        let light = self.light_of(&self.surfaces[surface as usize], points, &mut powers);
+        let light = self.light_at(surface, point, factor, &mut powers);
         self.add_powers(powers);
-        light.into()
+        light
+    }
+
+    /// As [`Shader::light`]; highlights are added to `powers`, for many points to be counted at once ([`Shader::add_powers`]).
+    #[inline]
+    pub(crate) fn light_at(
+        &self,
+        surface: u32,
+        (eye, normal): (Vec3, Vec3),
+        factor: Option<Rgb>,
+        powers: &mut u64,
+    ) -> Rgb {
+        let factor = factor.map(|factor| factor.to_array());
+        let points = Points { eye: eye.to_array(), normal: normal.to_array(), factor, wanted: true };
+        self.light_of(&self.surfaces[surface as usize], points, powers).into()
     }
 
     /// The same for one point or several side by side; highlights are added to `powers`.
@@ -72,9 +92,14 @@ impl Shader {
     fn light_of<T: Wide>(&self, surface: &SurfaceShading, points: Points<T>, powers: &mut u64) -> [T; 3] {
         let Points { eye, normal, factor, wanted } = points;
         let zero = eye[0].all(0.0);
-        let (to_eye, is_apart) = unit([zero - eye[0], zero - eye[1], zero - eye[2]]);
-        let view = choose(is_apart, to_eye, normal);
         let has_highlight = surface.specular > 0.0 || self.specular_everywhere;
+        // Only highlights depend on where the eye stands.
+        let view = if has_highlight {
+            let (to_eye, is_apart) = unit([zero - eye[0], zero - eye[1], zero - eye[2]]);
+            choose(is_apart, to_eye, normal)
+        } else {
+            normal
+        };
         let (mut diffuse, mut specular) = ([zero; 3], [zero; 3]);
         for light in &self.lights {
             let Arriving { to_light, color, arrives } = light.arriving_at(eye);
