@@ -11,6 +11,7 @@
 
 use super::clip::ClipVertex;
 use super::walk::EyeMesh;
+use super::wear::place_of;
 use super::{Corners, Facing, Part};
 use crate::color::Rgb;
 use crate::math::{Vec3, cos, radians, unit};
@@ -93,6 +94,7 @@ impl Lighting {
             shine: material.shine,
             // Where nothing needs blending the target never keeps a list.
             opacity: if self.blending { material.opacity.to_f32() } else { Rgb::gray(1.0) },
+            texture: None,
             place,
         });
         (shader.surfaces.len() - 1) as u32
@@ -167,7 +169,10 @@ impl Lighting {
 
     /// Whether what varies is linear over the polygon: all values equal, or three vertices before clipping.
     pub fn is_affine(&self, corners: &[ClipVertex], clipped: &[ClipVertex]) -> bool {
-        let values = |vertex: &ClipVertex| [vertex.attributes[0], vertex.attributes[1], vertex.attributes[2]];
+        let values = |vertex: &ClipVertex| {
+            let [a, b, c, ..] = vertex.attributes;
+            ([a, b, c], place_of(vertex))
+        };
         let equal = |vertices: &[ClipVertex]| vertices.windows(2).all(|pair| values(&pair[0]) == values(&pair[1]));
         // Lit anew, or linear on the screen, the pieces of a triangle are not; else clipping changes nothing.
         let decided_on = if self.belongs_to_clipped() { clipped } else { corners };

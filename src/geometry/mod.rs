@@ -20,6 +20,7 @@ mod project;
 pub mod split;
 mod trace;
 mod walk;
+mod wear;
 
 pub use cull::Facing;
 pub use flatten::flatten;
@@ -35,6 +36,7 @@ use clip::{ClipVertex, ClipVolume, Clipped, Clipper, Outcode};
 use light::Lighting;
 use project::Projector;
 use walk::{EyeMesh, Tessellator};
+use wear::Wardrobe;
 
 /// Runs the whole stage: fills `list` with the screen polygons of `scene` under `plan`, in scene order.
 ///
@@ -57,6 +59,7 @@ struct Geometry<'a> {
     counts: Counts,
     projector: Projector,
     lighting: Lighting,
+    wardrobe: Wardrobe,
     /// Vertices of the surface in hand, in eye space.
     surface_mesh: EyeMesh,
     /// Vertices of the shape in hand.
@@ -102,6 +105,7 @@ impl<'a> Geometry<'a> {
             counts: Counts::default(),
             projector,
             lighting: Lighting::new(plan),
+            wardrobe: Wardrobe::new(plan),
             surface_mesh: EyeMesh::default(),
             shape_mesh: EyeMesh::default(),
             tessellator: Tessellator::default(),
@@ -112,7 +116,9 @@ impl<'a> Geometry<'a> {
     }
 
     fn run(mut self) -> Counts {
+        let before = std::mem::take(&mut self.list.shader.textures);
         self.lighting.prepare(self.scene, self.plan, &mut self.list.shader);
+        self.wardrobe.prepare(self.scene, self.plan, before, &mut self.list.shader);
         let scene = self.scene;
         // The plan has walked the same tree within its budget.
         let walked = scene.walk(|placed| {
@@ -130,6 +136,8 @@ impl<'a> Geometry<'a> {
     /// One surface: its polygons and its shapes, in file order.
     fn surface(&mut self, surface: &Surface, world_from_local: &Affine3) {
         let shading = self.lighting.push_surface(&surface.material, surface.place, &mut self.list.shader);
+        self.list.shader.surfaces[shading as usize].texture =
+            self.wardrobe.picture(self.scene, surface, &mut self.list.shader);
         let mirrored = model::mirrors(world_from_local);
         self.counts.surfaces += 1;
         self.counts.vertices += surface.mesh.vertices.len() as u64;
@@ -195,6 +203,7 @@ impl<'a> Geometry<'a> {
             // Light belongs to the vertices of the scene (with `relight`, normals take its place until clipping is done).
             let normals = (polygon.normals, facing);
             let carried = self.lighting.light_corners(part, eye_mesh, normals, &mut corners, &mut self.list.shader);
+            let carried = self.wardrobe.dress(part, &mut corners, carried);
             corners.place_in_clip_space(self.projector.clip_from_eye);
             if self.clip(part, &corners.clip, (crossed, carried), source) {
                 let (clipped, clip_from_eye) = (&mut self.projector.clipped, self.projector.clip_from_eye);

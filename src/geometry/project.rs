@@ -10,6 +10,7 @@
 //! Space: clip space in, samples out. Source: Olano and Greer, "Triangle Scan Conversion using 2D Homogeneous
 //! Coordinates", Graphics Hardware 1997; Akeley and Su, "Minimum Triangle Separation for Correct z-Buffer
 //! Occlusion", Graphics Hardware 2006, on what snapped vertices do to depth.
+//! Texture coordinates are two more such values, behind all others.
 //! Cost: one division a vertex, one a polygon; 48 bytes a plane.
 
 use super::clip::ClipVertex;
@@ -17,6 +18,10 @@ use super::split::{SplitReport, SplitScratch, split};
 use crate::math::{Vec3, largest_coordinate, ordinary_scale};
 use crate::plan::{DepthFormat, Interpolation, Plan, Varying};
 use crate::screen::{DepthMapping, DrawList, EdgeKind, Grid, Plane, PolygonRecord, Precision, ScreenVertex, Source};
+
+/// Numbers of light a vertex carries, and all it may carry: with u and v.
+const LIGHT: usize = 3;
+const CARRIED: usize = LIGHT + 2;
 
 /// A polygon before clipping, as far as its planes need it.
 pub(super) struct Outline<'a> {
@@ -131,7 +136,7 @@ impl Projector {
         if outline.from_clipped {
             return;
         }
-        for number in 0..self.varying.count().min(3) {
+        for number in 0..self.carried() {
             let value = outline.corners[0].attributes[number];
             if outline.corners.iter().all(|corner| corner.attributes[number] == value) {
                 self.clipped.iter_mut().for_each(|vertex| vertex.attributes[number] = value);
@@ -162,10 +167,12 @@ impl Projector {
 
     fn push_values(&self, corner: usize, list: &mut DrawList) {
         let values = &self.clipped[corner].attributes;
-        list.values.extend_from_slice(&values[..self.varying.count().min(3)]);
-        if self.varying == Varying::NormalEye {
+        let light = self.carried() - self.varying.texture_count();
+        list.values.extend_from_slice(&values[..light]);
+        if self.varying.is_eye_point(3) {
             list.values.extend_from_slice(&self.eye[corner].to_array());
         }
+        list.values.extend_from_slice(&values[light..self.carried()]);
     }
 
     /// Adds the depth plane and the varying planes of the polygon, or of one `triangle` of it where it is not affine.
@@ -186,36 +193,37 @@ impl Projector {
         let corners = corners.chain(triangle.iter().map(|&corner| corner as usize).filter(|_| !outline.affine));
         // Over more corners than a plane has room for, the scan line decides (`ScreenPolygon::values`).
         let along_scan_lines = self.scan_line && !outline.affine;
-        for number in 0..3 {
+        let plane = |number: usize| {
             let value = |corner: usize| (self.clipped[corner].attributes[number], self.clipped[corner].position.z);
-            let plane = match along_scan_lines {
+            match along_scan_lines {
                 true => self.scan_line_rule(number),
                 false => self.value_plane(&three, inverse_w, number, corners.clone().map(value)),
-            };
-            list.planes.push(plane);
-        }
-        if self.varying == Varying::NormalEye {
+            }
+        };
+        list.planes.extend((0..LIGHT).map(plane));
+        if self.varying.is_eye_point(LIGHT) {
             list.planes.extend(self.eye_point_planes());
         }
+        list.planes.extend((LIGHT..self.carried()).map(plane));
         first_plane
     }
 
     /// Three corners that fix what is linear over the polygon, in eye space, with what varies at them.
-    fn three_corners(&self, outline: &Outline<'_>, triangle: [u32; 3]) -> [(Vec3, [f64; 3]); 3] {
+    fn three_corners(&self, outline: &Outline<'_>, triangle: [u32; 3]) -> [(Vec3, [f64; CARRIED]); 3] {
         let before = outline.affine && !outline.from_clipped;
         let vertices = if before { outline.corners } else { &self.clipped };
         triangle.map(|corner| {
             let vertex = &vertices[corner as usize];
-            let [a, b, c, ..] = vertex.attributes;
+            let [a, b, c, u, v, ..] = vertex.attributes;
             let eye = if before { self.to_eye(vertex) } else { self.eye[corner as usize] };
-            (eye, [a, b, c])
+            (eye, [a, b, c, u, v])
         })
     }
 
     /// The plane of one number: value / w in space, or the value itself on the screen.
     fn value_plane(
         &self,
-        three: &[(Vec3, [f64; 3]); 3],
+        three: &[(Vec3, [f64; CARRIED]); 3],
         inverse_w: Vec3,
         number: usize,
         at_corners: impl Iterator<Item = (f64, f64)> + Clone,
@@ -258,6 +266,11 @@ impl Projector {
             axis += 1;
             Plane::new(self.screen.plane(functional), plane_range, value_range, self.screen.precision)
         })
+    }
+
+    /// How many numbers a vertex carries through clipping: color or normal, then u and v.
+    fn carried(&self) -> usize {
+        self.varying.light_count().min(LIGHT) + self.varying.texture_count()
     }
 
     fn to_eye(&self, vertex: &ClipVertex) -> Vec3 {

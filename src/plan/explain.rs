@@ -22,6 +22,7 @@ impl Plan {
         let mut rows = vec![self.clip_row(), self.light_row(), self.specular_row(), self.blending_row()];
         rows.push(self.depth_row());
         rows.push(self.split_row());
+        rows.extend(self.texture_row());
         rows.extend(self.faces_row());
         if self.survey.shapes > 0 {
             rows.push(self.shapes_row());
@@ -124,6 +125,23 @@ impl Plan {
             Split::NotAffine => format!("{} polygons stay whole", self.survey.polygons - many),
         };
         row("split", decision, reason, saving)
+    }
+
+    /// Only where the scene has something to do with pictures.
+    fn texture_row(&self) -> Option<PlanRow> {
+        let survey = &self.survey;
+        let (textured, surfaces) = (survey.textured_surfaces, survey.surfaces);
+        if textured == 0 && !self.needs.texture {
+            return None;
+        }
+        let reason = match (self.choices.shading, textured, survey.cut_out_surfaces) {
+            (Shading::Wire, ..) => "lines show no pictures".to_string(),
+            (_, 0, _) => "no surface has a picture".to_string(),
+            (_, _, 0) => format!("{textured} of {surfaces} surfaces have a picture"),
+            (_, _, holes) => format!("{textured} of {surfaces} surfaces have a picture, {holes} of these have holes"),
+        };
+        let saving = if self.needs.texture { "" } else { "planes of u and v a polygon" };
+        Some(row("texture", yes_no(self.needs.texture), reason, saving.into()))
     }
 
     /// Only where the scene says something about it.

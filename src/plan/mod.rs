@@ -13,8 +13,8 @@ mod needs;
 mod view;
 
 pub use choices::{
-    AngleSpan, Choices, ClipLight, Culling, DepthFormat, EXACT_SUBPIXELS, FlatRule, Interpolation, LightTerms,
-    NeedsMode, Shading, Transparency,
+    AlphaRule, AngleSpan, Choices, ClipLight, Culling, DepthFormat, EXACT_SUBPIXELS, FlatRule, Interpolation, LightTerms,
+    NeedsMode, Shading, TextureFilter, Transparency,
 };
 pub use error::PlanError;
 pub use explain::PlanRow;
@@ -41,6 +41,10 @@ pub enum Varying {
     Color,
     /// Unit normal and point in eye space, three numbers each: Phong.
     NormalEye,
+    /// As `Color`, then u and v: the list has surfaces with pictures.
+    ColorTexture,
+    /// As `NormalEye`, then u and v.
+    NormalEyeTexture,
 }
 
 impl Varying {
@@ -50,7 +54,40 @@ impl Varying {
         match self {
             Varying::Nothing => 0,
             Varying::Color => 3,
+            Varying::ColorTexture => 5,
             Varying::NormalEye => 6,
+            Varying::NormalEyeTexture => 8,
+        }
+    }
+
+    /// How many of them, from the first on, come from light: color, or normal and eye point.
+    #[must_use]
+    #[inline]
+    pub fn light_count(self) -> usize {
+        self.count() - self.texture_count()
+    }
+
+    /// How many of them, behind those, are texture coordinates: 2 or none.
+    #[must_use]
+    #[inline]
+    pub fn texture_count(self) -> usize {
+        if matches!(self, Varying::ColorTexture | Varying::NormalEyeTexture) { 2 } else { 0 }
+    }
+
+    /// Whether number `index` is a coordinate of the eye point: a length in space, whatever interpolation was chosen.
+    #[must_use]
+    #[inline]
+    pub fn is_eye_point(self, index: usize) -> bool {
+        matches!(self, Varying::NormalEye | Varying::NormalEyeTexture) && (3..6).contains(&index)
+    }
+
+    /// The same without texture coordinates.
+    #[must_use]
+    pub fn without_texture(self) -> Varying {
+        match self {
+            Varying::ColorTexture => Varying::Color,
+            Varying::NormalEyeTexture => Varying::NormalEye,
+            other => other,
         }
     }
 }
@@ -113,10 +150,12 @@ impl Plan {
     /// What interpolation carries under this shading.
     #[must_use]
     pub fn varying(&self) -> Varying {
-        match self.choices.shading {
-            Shading::Gouraud | Shading::Flat => Varying::Color,
-            Shading::Phong => Varying::NormalEye,
-            Shading::Wire => Varying::Nothing,
+        match (self.choices.shading, self.needs.texture) {
+            (Shading::Gouraud | Shading::Flat, false) => Varying::Color,
+            (Shading::Gouraud | Shading::Flat, true) => Varying::ColorTexture,
+            (Shading::Phong, false) => Varying::NormalEye,
+            (Shading::Phong, true) => Varying::NormalEyeTexture,
+            (Shading::Wire, _) => Varying::Nothing,
         }
     }
 }
@@ -127,6 +166,9 @@ fn check(choices: &Choices) -> Result<(), PlanError> {
     }
     if !(choices.tolerance > 0.0 && choices.tolerance.is_finite()) {
         return Err(PlanError::Tolerance(choices.tolerance));
+    }
+    if let Some(threshold) = choices.alpha_threshold.filter(|threshold| !(0.0..=1.0).contains(threshold)) {
+        return Err(PlanError::AlphaThreshold(threshold));
     }
     if let Some(resolution) = choices.resolution.filter(|&resolution| resolution == 0 || resolution > 1000) {
         return Err(PlanError::Resolution(resolution));

@@ -51,6 +51,7 @@ impl Reader<'_> {
             shine: if is_phong { number("exponent", 20.0) } else { 0.0 },
             opacity: block.color("opacity").unwrap_or(Rgb::WHITE),
             refraction: 1.0,
+            texture: None,
         };
         self.draft.shaders.push(Shader { name, line, material });
         Ok(())
