@@ -114,8 +114,9 @@ impl Plan {
                 ("no".into(), "no polygon of the file has more than three vertices".into())
             }
             Split::NotAffine => {
+                let what = if self.choices.shading == Shading::Flat { "a picture" } else { shading };
                 let reason =
-                    format!("{shading} is not linear over a polygon with different values at 4 or more vertices");
+                    format!("{what} is not linear over a polygon with different values at 4 or more vertices");
                 (format!("up to {many} of {} polygons", self.survey.polygons), reason)
             }
         };
