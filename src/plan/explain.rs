@@ -115,8 +115,7 @@ impl Plan {
             }
             Split::NotAffine => {
                 let what = if self.choices.shading == Shading::Flat { "a picture" } else { shading };
-                let reason =
-                    format!("{what} is not linear over a polygon with different values at 4 or more vertices");
+                let reason = format!("{what} is not linear over a polygon with different values at 4 or more vertices");
                 (format!("up to {many} of {} polygons", self.survey.polygons), reason)
             }
         };

@@ -13,8 +13,8 @@ mod needs;
 mod view;
 
 pub use choices::{
-    AlphaRule, AngleSpan, Choices, ClipLight, Culling, DepthFormat, EXACT_SUBPIXELS, FlatRule, Interpolation, LightTerms,
-    NeedsMode, Shading, TextureFilter, Transparency,
+    AlphaRule, AngleSpan, Choices, ClipLight, Culling, DepthFormat, EXACT_SUBPIXELS, FlatRule, Interpolation,
+    LightTerms, NeedsMode, Shading, TextureFilter, Transparency,
 };
 pub use error::PlanError;
 pub use explain::PlanRow;

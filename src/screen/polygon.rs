@@ -157,9 +157,8 @@ impl<'a> ScreenPolygon<'a> {
         let first = self.list.varying.light_count();
         let [u, v] = self.varying_planes().get(first..).unwrap_or_default() else { return [0.0; 2] };
         let (inverse_w, scan_line) = (self.inverse_w(x, y), self.scan_line(x, y));
-        [(first, u), (first + 1, v)].map(|(number, plane)| {
-            self.value((number, plane), scan_line, inverse_w, |plane| plane.at(x, y))
-        })
+        [(first, u), (first + 1, v)]
+            .map(|(number, plane)| self.value((number, plane), scan_line, inverse_w, |plane| plane.at(x, y)))
     }
 
     /// Change of (u, v) from sample to sample, to the right and down, where 1/w and (u, v) are these: from the planes alone.

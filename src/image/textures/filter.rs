@@ -140,7 +140,14 @@ impl Pyramid {
         let of = |index: usize| {
             let level = &self.levels[index];
             let size = (level.width, level.height);
-            (level, if filter == Filter::Nearest { Taps::nearest(place, size, self.wrap) } else { Taps::bilinear(place, size, self.wrap) })
+            (
+                level,
+                if filter == Filter::Nearest {
+                    Taps::nearest(place, size, self.wrap)
+                } else {
+                    Taps::bilinear(place, size, self.wrap)
+                },
+            )
         };
         if filter != Filter::Trilinear || level <= 0.0 {
             return (of(0), None);
@@ -156,11 +163,7 @@ type Tapped<'a> = (&'a Level, Taps);
 
 /// A value from one level, or between those of two.
 #[inline]
-fn mixed(
-    (level, taps): &Tapped<'_>,
-    second: Option<&(Tapped<'_>, f32)>,
-    value: impl Fn(&Level, usize) -> f32,
-) -> f32 {
+fn mixed((level, taps): &Tapped<'_>, second: Option<&(Tapped<'_>, f32)>, value: impl Fn(&Level, usize) -> f32) -> f32 {
     let first = taps.sum(|index| value(level, index));
     match second {
         None => first,
@@ -237,7 +240,9 @@ mod tests {
     #[test]
     fn beyond_the_edges() {
         let (repeat, clamp) = (gray(2, 1, &[10, 90], Wrap::Repeat), gray(2, 1, &[10, 90], Wrap::Clamp));
-        for (u, repeated, clamped) in [(1.25, 10.0, 90.0), (-0.25, 90.0, 10.0), (-7.75, 10.0, 10.0), (1e9 + 0.25, 10.0, 90.0)] {
+        for (u, repeated, clamped) in
+            [(1.25, 10.0, 90.0), (-0.25, 90.0, 10.0), (-7.75, 10.0, 10.0), (1e9 + 0.25, 10.0, 90.0)]
+        {
             assert!((look(&repeat, u, 0.5, 0.0, Filter::Bilinear) - repeated).abs() < 1e-4, "{u}");
             assert!((look(&clamp, u, 0.5, 0.0, Filter::Nearest) - clamped).abs() < 1e-4, "{u}");
         }

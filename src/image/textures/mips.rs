@@ -63,9 +63,7 @@ impl Pyramid {
     /// The pyramid of `texels`, whose colors mean what `encoding` says.
     #[must_use]
     pub fn new(texels: &Texels, encoding: Encoding, alpha: Alpha, wrap: Wrap) -> Pyramid {
-        let light = Box::new(std::array::from_fn(|level| {
-            encoding.decode(Rgb::gray(level as f64 / 255.0)).r as f32
-        }));
+        let light = Box::new(std::array::from_fn(|level| encoding.decode(Rgb::gray(level as f64 / 255.0)).r as f32));
         let weighed = matches!(alpha, Alpha::Mean | Alpha::Test(_));
         let mut picture = if weighed { dilate(texels, wrap) } else { texels.clone() };
         if alpha == Alpha::Ignored {

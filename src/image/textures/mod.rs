@@ -121,6 +121,8 @@ mod tests {
         let keyed = upright.keyed([0; 3]);
         assert_eq!((keyed.at(0, 0), keyed.at(0, 1)), ([0, 0, 0, 0], red));
         assert!(keyed.has_holes());
-        assert!(Texels::new(2, 2, vec![red], FirstRow::Top).is_none() && Texels::new(0, 2, vec![], FirstRow::Top).is_none());
+        assert!(
+            Texels::new(2, 2, vec![red], FirstRow::Top).is_none() && Texels::new(0, 2, vec![], FirstRow::Top).is_none()
+        );
     }
 }

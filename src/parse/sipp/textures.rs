@@ -47,7 +47,8 @@ impl Reader<'_> {
             Some(known) => known.texels.clone(),
             None => {
                 let read = textures::read(&self.path(given.values)).map_err(|error| {
-                    let error = Diagnostic::error(format!("no texture `{name}`: {error}")).at(given.values, "named here");
+                    let error =
+                        Diagnostic::error(format!("no texture `{name}`: {error}")).at(given.values, "named here");
                     error.help("PNG, BMP and PPM are read; the name is relative to the folder of the scene")
                 })?;
                 Arc::new(if let Some(key) = key { read.keyed(key) } else { read })

@@ -67,8 +67,17 @@ pub(super) const PHONG: &[Parameter] = &[
     WRAP,
 ];
 
-pub(super) const BASIC: &[Parameter] =
-    &[AMBIENT, SPECULAR, numbers("c3", "c3 N", &[1], Range::PositiveFraction), COLOR, OPACITY, TEXTURE, CUTOUT, KEY, WRAP];
+pub(super) const BASIC: &[Parameter] = &[
+    AMBIENT,
+    SPECULAR,
+    numbers("c3", "c3 N", &[1], Range::PositiveFraction),
+    COLOR,
+    OPACITY,
+    TEXTURE,
+    CUTOUT,
+    KEY,
+    WRAP,
+];
 
 pub(super) const DIRECTIONAL: &[Parameter] = &[numbers("to", "to X Y Z", &[3], Range::Direction).required(), COLOR];
 

@@ -128,7 +128,12 @@ impl Line {
 }
 
 /// Puts the samples of `columns` that are there and in front.
-fn put_cut_out(polygon: &ScreenPolygon<'_>, (columns, row): (Range<i32>, i32), list: &DrawList, target: &mut Target<'_>) {
+fn put_cut_out(
+    polygon: &ScreenPolygon<'_>,
+    (columns, row): (Range<i32>, i32),
+    list: &DrawList,
+    target: &mut Target<'_>,
+) {
     for column in columns {
         // Not every sample that is behind need be shaded.
         if polygon.depth(column, row) >= target.depth(column, row) {

@@ -4,9 +4,9 @@
 //! drawn half a pixel off by everybody but its author. A reader that finds another word there must not go on.
 
 use super::number::Number;
+use super::textures;
 use super::v2::{Attributes, NAME};
 use super::words::Words;
-use super::textures;
 use super::{ReadOptions, ScreenFileError, Sheet, read_size};
 use crate::color::{Encoding, Rgb};
 use crate::plan::{DepthFormat, Interpolation, Transparency, Varying};

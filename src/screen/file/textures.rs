@@ -126,6 +126,7 @@ pub(super) fn read_texture_of_surface(
 
 /// A file name without blanks, line ends or what starts a comment.
 fn one_word(name: &str) -> String {
-    let plain = |letter: char| if letter.is_whitespace() || letter == '#' || letter.is_control() { '_' } else { letter };
+    let plain =
+        |letter: char| if letter.is_whitespace() || letter == '#' || letter.is_control() { '_' } else { letter };
     if name.is_empty() { "-".to_string() } else { name.chars().map(plain).collect() }
 }
