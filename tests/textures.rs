@@ -241,7 +241,7 @@ fn only_scenes_with_pictures_carry_coordinates() {
         assert!(derived.list.has_texture() && derived.image == full.image, "{shading:?}");
         let row = derived.plan.explain().into_iter().find(|row| row.need == "texture").expect("it is told");
         assert!(
-            row.decision == "yes" && row.reason.contains("2 of 3 surfaces have a picture, 1 of these has"),
+            row.decision == "yes" && row.reason.contains("2 of 3 surfaces have a picture, 1 of these with holes"),
             "{row:?}"
         );
     }
@@ -285,7 +285,7 @@ fn screen_files_hold_the_pictures() {
         }
         // Whoever asks for colors alone gets a file that knows nothing of pictures.
         let plain = text(of("color"));
-        assert!(!plain.contains("tex") && back(&plain).list == own.without_texture());
+        assert!(!plain.contains("texture") && !plain.contains("texels") && back(&plain).list == own.without_texture());
         assert_eq!(own.without_texture().textured_polygons(), 0);
 
         let whole = text(Attributes::default());

@@ -138,7 +138,7 @@ impl Plan {
             (Shading::Wire, ..) => "lines show no pictures".to_string(),
             (_, 0, _) => "no surface has a picture".to_string(),
             (_, _, 0) => format!("{textured} of {surfaces} surfaces have a picture"),
-            (_, _, holes) => format!("{textured} of {surfaces} surfaces have a picture, {holes} of these have holes"),
+            (_, _, holes) => format!("{textured} of {surfaces} surfaces have a picture, {holes} of these with holes"),
         };
         let saving = if self.needs.texture { "" } else { "planes of u and v a polygon" };
         Some(row("texture", yes_no(self.needs.texture), reason, saving.into()))

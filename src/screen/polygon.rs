@@ -170,14 +170,14 @@ impl<'a> ScreenPolygon<'a> {
         let (Some(depth), [u, v]) = (self.depth_plane(), self.varying_planes().get(first..).unwrap_or_default()) else {
             return [[0.0; 2]; 2];
         };
-        let (by_w, inverse_w) = (depth.slope(), inverse_w as f32);
+        let (by_w, w) = (depth.slope(), 1.0 / inverse_w as f32);
         let slope = |number: usize, plane: &Plane, value: f64| {
             let slope = plane.slope();
             if !self.is_over_w(number, plane) {
                 return slope;
             }
             // The rule of quotients.
-            [0, 1].map(|axis| (slope[axis] - value as f32 * by_w[axis]) / inverse_w)
+            [0, 1].map(|axis| (slope[axis] - value as f32 * by_w[axis]) * w)
         };
         let (u, v) = (slope(first, u, uv[0]), slope(first + 1, v, uv[1]));
         [[u[0], v[0]], [u[1], v[1]]]

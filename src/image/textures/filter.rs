@@ -105,32 +105,28 @@ impl Pyramid {
     #[must_use]
     pub fn sample(&self, place: [f64; 2], level: f32, filter: Filter) -> Sample {
         let (first, second) = self.taps(place, level, filter);
-        let alpha = mixed(&first, second.as_ref(), |level, index| self.alpha_at(level, index));
+        let alpha = mixed(&first, second.as_ref(), alpha_at);
         let channel = |channel: usize| {
             mixed(&first, second.as_ref(), |level, index| {
                 let light = self.light[usize::from(level.rgba[index][channel])];
-                if self.weighed { light * self.alpha_at(level, index) } else { light }
+                if self.weighed { light * alpha_at(level, index) } else { light }
             })
         };
         let light = Rgb::new(channel(0), channel(1), channel(2));
         let color = match (self.weighed, alpha > 0.0) {
             (false, _) => light,
+            // Both in 255ths.
             (true, true) => light.map(|channel| channel / alpha),
             (true, false) => Rgb::gray(0.0),
         };
-        Sample { color, alpha }
+        Sample { color, alpha: alpha / 255.0 }
     }
 
     /// The alpha of [`Pyramid::sample`] alone, to the last bit.
     #[must_use]
     pub fn alpha(&self, place: [f64; 2], level: f32, filter: Filter) -> f32 {
         let (first, second) = self.taps(place, level, filter);
-        mixed(&first, second.as_ref(), |level, index| self.alpha_at(level, index))
-    }
-
-    #[inline]
-    fn alpha_at(&self, level: &Level, index: usize) -> f32 {
-        f32::from(level.rgba[index][3]) / 255.0
+        mixed(&first, second.as_ref(), alpha_at) / 255.0
     }
 
     /// Texels of one level, or of two, the second with its share.
@@ -157,6 +153,12 @@ impl Pyramid {
         let share = level - below as f32;
         (of(below), (share > 0.0).then(|| (of(below + 1), share)))
     }
+}
+
+/// Alpha of a texel in 255ths: one division a lookup is enough.
+#[inline]
+fn alpha_at(level: &Level, index: usize) -> f32 {
+    f32::from(level.rgba[index][3])
 }
 
 type Tapped<'a> = (&'a Level, Taps);

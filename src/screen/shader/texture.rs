@@ -125,13 +125,13 @@ impl Textures {
 
     /// Whether a sample with that `alpha` is there. `turn`: a number of the polygon, any.
     #[inline]
-    fn is_there(&self, alpha: f32, threshold: f32, (x, y): (i32, i32), turn: u32) -> bool {
+    fn is_there(&self, alpha: f32, threshold: f32, (x, y): (i32, i32), turn: impl FnOnce() -> u32) -> bool {
         if self.alpha != AlphaRule::Coverage || self.samples == 1 {
             return alpha > threshold;
         }
         let side = self.samples as i32;
         let place = y.rem_euclid(side) * side + x.rem_euclid(side);
-        let turned = (place as usize + turn as usize) % self.asked.len();
+        let turned = (place as usize + turn() as usize) % self.asked.len();
         centered(alpha, threshold) > self.asked[turned]
     }
 }
@@ -183,13 +183,22 @@ impl Shader {
     /// Whether sample (x, y) of a polygon is there, and not in a hole: what [`Shader::fragment`] finds, without any light.
     #[must_use]
     pub fn is_there(&self, polygon: &ScreenPolygon<'_>, x: i32, y: i32) -> bool {
-        let Some((texture, threshold)) = self.texture_of(polygon.surface()).and_then(|own| Some((own, own.threshold?)))
-        else {
-            return true;
-        };
-        let (inverse_w, uv) = (polygon.inverse_w(x, y), polygon.texture_place(x, y));
+        self.is_there_at(polygon, (x, y), polygon.inverse_w(x, y), polygon.texture_place(x, y))
+    }
+
+    /// The same where 1/w and u, v are these.
+    #[inline]
+    pub(crate) fn is_there_at(
+        &self,
+        polygon: &ScreenPolygon<'_>,
+        sample: (i32, i32),
+        inverse_w: f64,
+        uv: [f64; 2],
+    ) -> bool {
+        let Some(texture) = self.texture_of(polygon.surface()) else { return true };
+        let Some(threshold) = texture.threshold else { return true };
         let alpha = texture.pyramid.alpha(uv, self.level(polygon, texture, inverse_w, uv), self.textures.filter());
-        self.textures.is_there(alpha, threshold, (x, y), turn_of(polygon))
+        self.textures.is_there(alpha, threshold, sample, || turn_of(polygon))
     }
 
     /// The level of detail of a sample.
@@ -208,7 +217,7 @@ impl Shader {
         let level = self.level(polygon, texture, inverse_w, uv);
         let Sample { color, alpha } = texture.pyramid.sample(uv, level, self.textures.filter());
         match texture.threshold {
-            Some(threshold) if !self.textures.is_there(alpha, threshold, sample, turn_of(polygon)) => Seen::Hole,
+            Some(threshold) if !self.textures.is_there(alpha, threshold, sample, || turn_of(polygon)) => Seen::Hole,
             _ => Seen::Color(color),
         }
     }
@@ -232,7 +241,7 @@ mod tests {
     fn there(textures: &Textures, alpha: f32, threshold: f32, turn: u32) -> usize {
         let side = textures.samples as i32;
         let samples = (0..side * side).map(|index| (index % side - side, index / side + 5 * side));
-        samples.filter(|&sample| textures.is_there(alpha, threshold, sample, turn)).count()
+        samples.filter(|&sample| textures.is_there(alpha, threshold, sample, || turn)).count()
     }
 
     #[test]
@@ -270,7 +279,7 @@ mod tests {
         for turn in 0..16 {
             for index in 0..16 {
                 let sample = (index % 4, index / 4);
-                covered += u32::from([0, turn].iter().any(|&turn| textures.is_there(0.5, 0.5, sample, turn)));
+                covered += u32::from([0, turn].iter().any(|&turn| textures.is_there(0.5, 0.5, sample, || turn)));
             }
         }
         assert_eq!(covered, 16 * 12);
