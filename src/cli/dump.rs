@@ -40,7 +40,7 @@ pub(super) struct DumpFormat {
     /// FAROP's integer file instead of the lossless one
     #[arg(long)]
     classic: bool,
-    /// Also at the vertices: color, phong (normals and eye points)
+    /// At the vertices: color, phong (normals and eye points), texture (u and v, and the pictures)
     #[arg(long, value_name = "NAMES", value_parser = attributes, conflicts_with = "classic")]
     attributes: Option<Attributes>,
     /// Largest z of a classic file

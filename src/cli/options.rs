@@ -4,8 +4,8 @@ use crate::color::{Encoding, Rgb};
 use crate::lab::promise::Goal;
 use crate::math::Vec3;
 use crate::plan::{
-    AngleSpan, Choices, ClipLight, Culling, DepthFormat, EXACT_SUBPIXELS, FlatRule, Interpolation, LightTerms,
-    NeedsMode, Shading, Transparency,
+    AlphaRule, AngleSpan, Choices, ClipLight, Culling, DepthFormat, EXACT_SUBPIXELS, FlatRule, Interpolation,
+    LightTerms, NeedsMode, Shading, TextureFilter, Transparency,
 };
 use crate::scene::{Camera, Light, Place, Scene};
 use clap::Args;
@@ -50,6 +50,15 @@ pub(super) struct PictureOptions {
     /// over, or additive (SIPP's rule)
     #[arg(long, value_name = "RULE", default_value = "over")]
     transparency: Transparency,
+    /// Pictures on surfaces: trilinear (mip-mapped), bilinear or nearest
+    #[arg(long, value_name = "HOW", default_value = "trilinear")]
+    texture_filter: TextureFilter,
+    /// Surfaces with holes: coverage (as many samples as alpha says), test (all above the threshold), or paper (nothing repaired)
+    #[arg(long, value_name = "RULE", default_value = "coverage")]
+    alpha: AlphaRule,
+    /// What alpha must be above, in place of the scene's thresholds
+    #[arg(long, value_name = "N")]
+    alpha_threshold: Option<f64>,
     /// srgb, or linear: numbers straight through, as in 1996
     #[arg(long, value_name = "NAME", default_value = "srgb", value_parser = encoding)]
     pub encoding: Encoding,
@@ -135,6 +144,9 @@ impl PictureOptions {
             interpolation: self.interpolation,
             flat: self.flat,
             transparency: self.transparency,
+            texture_filter: self.texture_filter,
+            alpha: self.alpha,
+            alpha_threshold: self.alpha_threshold,
             encoding: self.encoding,
             ambient: self.view.ambient,
             light_intensity: self.view.light_intensity,

@@ -62,11 +62,18 @@ fn flat_surface(surface: &Surface, world_from_local: &Affine3, plan: &Plan) -> S
 /// Adds all vertices of `from` and returns the index of the first.
 fn append_vertices(to: &mut Mesh, from: &Mesh) -> u32 {
     let offset = to.vertices.len() as u32;
+    if !from.texture.is_empty() {
+        to.texture.resize(to.vertices.len(), Vec3::ZERO);
+    }
     for (index, &vertex) in from.vertices.iter().enumerate() {
         match from.normals.get(index) {
             Some(&normal) => to.push_vertex_with_normal(vertex, normal),
             None => to.push_vertex(vertex),
         };
+        // `push_vertex` made room, if there is any.
+        if let (Some(place), Some(&own)) = (to.texture.last_mut(), from.texture.get(index)) {
+            *place = own;
+        }
     }
     offset
 }

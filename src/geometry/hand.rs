@@ -14,7 +14,7 @@ use super::light::LightWork;
 use super::project::{Outline, Projector, Triangles};
 use super::tessellate::Tessellator;
 use super::walk::{AskedRange, EyeMesh};
-use super::{ClippedPolygon, EyePolygon, Facing, Part, Setting, Task, Trace, split};
+use super::{ClippedPolygon, EyePolygon, Facing, Part, Setting, Task, Trace, split, wear};
 use crate::math::Vec3;
 use crate::plan::{ClipPlane, Culling, Split};
 use crate::report::Counts;
@@ -210,7 +210,10 @@ impl Hand {
             self.corners.place(mesh, &setting.projector);
             // Light belongs to the vertices of the scene (with `relight`, normals take its place until clipping is done).
             let lit = (part, mesh, setting.shader);
-            let carried = setting.lighting.light_corners(lit, survivor, &mut self.corners, &mut self.light);
+            let mut carried = setting.lighting.light_corners(lit, survivor, &mut self.corners, &mut self.light);
+            if setting.plan.needs.texture {
+                carried = carried.max(wear::dress(part, &mut self.corners));
+            }
             if self.clip(part, survivor, carried, setting) {
                 self.relight_and_project((part, mesh), survivor, setting, list);
             }

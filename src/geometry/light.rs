@@ -109,6 +109,7 @@ impl Lighting {
             specular: on(terms.specular && self.specular, material.specular),
             shine: material.shine,
             // Where nothing needs blending the target never keeps a list.
+            texture: None,
             opacity: if self.blending { material.opacity.to_f32() } else { Rgb::gray(1.0) },
             place,
         });

@@ -26,6 +26,7 @@ mod tessellate;
 mod threads;
 mod trace;
 mod walk;
+mod wear;
 
 pub use cull::Facing;
 pub use flatten::flatten;
@@ -42,6 +43,7 @@ use light::Lighting;
 use project::Projector;
 use std::ops::Range;
 use threads::Crew;
+use wear::Wardrobe;
 
 /// Runs the whole stage: fills `list` with the screen polygons of `scene` under `plan`, in scene order.
 ///
@@ -140,7 +142,9 @@ impl Stage {
         let (projector, lighting) = (Projector::new(plan), Lighting::new(plan));
         projector.prepare(plan, list);
         let mut shader = std::mem::take(&mut list.shader);
+        let mut wardrobe = Wardrobe::new(plan, std::mem::take(&mut shader.textures));
         lighting.prepare(scene, plan, &mut shader);
+        wardrobe.prepare(scene, plan, &mut shader);
         let mut counts = Counts::default();
         let Stage { walk, tasks, crew } = self;
         let mut work = |tasks: &mut Vec<Task>, shader: &Shader| {
@@ -154,6 +158,7 @@ impl Stage {
             for &id in &placed.object.surfaces {
                 let surface = scene.surface(id);
                 let shading = lighting.push_surface(&surface.material, surface.place, &mut shader);
+                shader.surfaces[shading as usize].texture = wardrobe.picture(scene, surface, &mut shader);
                 push_tasks(surface, (id, placed.world_from_local, shading), tasks, &mut counts);
                 if tasks.len() >= TASKS_AT_ONCE {
                     work(tasks, &shader);

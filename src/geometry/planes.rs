@@ -14,11 +14,12 @@
 //! a corner; 48 bytes a plane.
 
 use super::clip::ClipVertex;
-use super::light::FACTOR;
+use super::light::{FACTOR, LIGHT};
 use super::project::{Outline, ScreenMap};
 use crate::math::{Vec3, largest_coordinate, ordinary_scale};
 use crate::plan::Varying;
 use crate::screen::Plane;
+use std::ops::Range;
 
 /// What planes are made for.
 #[derive(Clone, Copy)]
@@ -46,8 +47,7 @@ impl Planes {
             return first_plane;
         }
         let mut gradients = None;
-        let mut values = |first: usize, planes: &mut Vec<Plane>| {
-            let numbers = [first, first + 1, first + 2];
+        let mut values = |numbers: Range<usize>, planes: &mut Vec<Plane>| {
             // Over more corners than a plane has room for, the scan line decides (`ScreenPolygon::values`).
             if self.scan_line && !outline.affine {
                 planes.extend(numbers.map(|number| self.scan_line_rule(outline, number)));
@@ -62,12 +62,15 @@ impl Planes {
                 planes.extend(numbers.map(|number| self.value_plane(of, number, corners.clone(), &mut gradients)));
             }
         };
-        values(0, planes);
+        values(0..LIGHT, planes);
         if self.varying.has_normals() {
             planes.extend(self.eye_point_planes(outline.clipped_eye));
         }
         if self.varying.has_factor() {
-            values(FACTOR, planes);
+            values(FACTOR..FACTOR + 3, planes);
+        }
+        if self.varying.texture_count() > 0 {
+            values(LIGHT..FACTOR, planes);
         }
         first_plane
     }

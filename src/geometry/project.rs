@@ -11,6 +11,7 @@ use super::clip::{ClipVertex, MAX_ATTRIBUTES};
 use super::light::{LIGHT, factor_of};
 use super::planes::Planes;
 use super::split::{SplitReport, SplitScratch, split};
+use super::wear::place_of;
 use crate::math::Vec3;
 use crate::plan::{DepthFormat, Interpolation, Plan, Varying};
 use crate::screen::{DepthMapping, DrawList, EdgeKind, Grid, PolygonRecord, Precision, ScreenVertex, Source};
@@ -123,10 +124,10 @@ impl Projector {
     #[inline]
     pub fn constants(&self, before: &[ClipVertex]) -> [Option<f64>; MAX_ATTRIBUTES] {
         let mut constants = [None; MAX_ATTRIBUTES];
-        for &number in self.planes.varying.carried() {
-            let value = before[0].attributes[number];
-            if before.iter().all(|corner| corner.attributes[number] == value) {
-                constants[number] = Some(value);
+        if self.planes.varying != Varying::Nothing {
+            for (number, constant) in constants.iter_mut().enumerate() {
+                let value = before[0].attributes[number];
+                *constant = before.iter().all(|corner| corner.attributes[number] == value).then_some(value);
             }
         }
         constants
@@ -196,6 +197,9 @@ impl Projector {
         }
         if self.planes.varying.has_factor() {
             list.values.extend(factor_of(vertex));
+        }
+        if self.planes.varying.texture_count() > 0 {
+            list.values.extend(place_of(vertex));
         }
     }
 }

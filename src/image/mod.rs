@@ -20,6 +20,7 @@ pub mod snapshot;
 pub mod ssim;
 mod summary;
 pub mod terminal;
+pub mod textures;
 
 pub use file::{ImageError, decode, encode_for, read};
 pub use picture::Picture;

@@ -35,6 +35,12 @@ pub struct Choices {
     pub flat: FlatRule,
     /// How transparent layers add up.
     pub transparency: Transparency,
+    /// How pictures on surfaces are looked up.
+    pub texture_filter: TextureFilter,
+    /// What is there of a surface with holes.
+    pub alpha: AlphaRule,
+    /// In place of the thresholds of the scene: what alpha must be above.
+    pub alpha_threshold: Option<f64>,
     /// What scene colors and picture levels mean.
     pub encoding: Encoding,
     /// Intensity of the ambient light for surfaces without an ambient coefficient; `None`: sqrt(n) / (2 n) of n lights.
@@ -70,6 +76,9 @@ impl Default for Choices {
             interpolation: Interpolation::Perspective,
             flat: FlatRule::Face,
             transparency: Transparency::Over,
+            texture_filter: TextureFilter::Trilinear,
+            alpha: AlphaRule::Coverage,
+            alpha_threshold: None,
             encoding: Encoding::Srgb,
             ambient: None,
             light_intensity: None,
@@ -196,6 +205,30 @@ named_choice! {
         Over = "over",
         /// SIPP's rule: shares add up until the sum is 1.
         Additive = "additive",
+    }
+}
+
+named_choice! {
+    /// How a picture on a surface is looked up.
+    TextureFilter {
+        /// Between the texels of the two sizes nearest to the sample's.
+        Trilinear = "trilinear",
+        /// Between the four texels around the place, of the full picture.
+        Bilinear = "bilinear",
+        /// The texel that the place is in.
+        Nearest = "nearest",
+    }
+}
+
+named_choice! {
+    /// Which samples of a surface with holes are there. One sample a pixel: alpha above the threshold, for all three.
+    AlphaRule {
+        /// Of A x A samples of a pixel as many as alpha says.
+        Coverage = "coverage",
+        /// Those with alpha above the threshold; smaller pictures keep the share that is.
+        Test = "test",
+        /// As `test`, with pictures as they were before anybody repaired them: rims and vanishing twigs.
+        Paper = "paper",
     }
 }
 

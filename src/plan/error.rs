@@ -64,6 +64,9 @@ pub enum PlanError {
     /// A tolerance that is not a positive number of pixels.
     #[error("a tolerance of {0} pixels: it must be above 0")]
     Tolerance(f64),
+    /// A threshold that no alpha can be on both sides of.
+    #[error("an alpha threshold of {0}: it must be from 0 to 1")]
+    AlphaThreshold(f64),
     /// A tessellation without segments.
     #[error("a resolution of {0}: it must be from 1 to 1000")]
     Resolution(u32),

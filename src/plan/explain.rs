@@ -23,6 +23,7 @@ impl Plan {
         rows.push(self.depth_row());
         rows.push(self.split_row());
         rows.extend(self.colors_row());
+        rows.extend(self.texture_row());
         rows.extend(self.faces_row());
         if self.survey.shapes > 0 {
             rows.push(self.shapes_row());
@@ -114,8 +115,8 @@ impl Plan {
                 ("no".into(), "no polygon of the file has more than three vertices".into())
             }
             Split::NotAffine => {
-                let reason =
-                    format!("{shading} is not linear over a polygon with different values at 4 or more vertices");
+                let what = if self.choices.shading == Shading::Flat { "a picture" } else { shading };
+                let reason = format!("{what} is not linear over a polygon with different values at 4 or more vertices");
                 (format!("up to {many} of {} polygons", self.survey.polygons), reason)
             }
         };
@@ -137,6 +138,23 @@ impl Plan {
         };
         let reason = format!("the vertices of {colored} of {surfaces} surfaces have colors of their own");
         (colored > 0).then(|| row("colors", decision.into(), reason, String::new()))
+    }
+
+    /// Only where the scene has something to do with pictures.
+    fn texture_row(&self) -> Option<PlanRow> {
+        let survey = &self.survey;
+        let (textured, surfaces) = (survey.textured_surfaces, survey.surfaces);
+        if textured == 0 && !self.needs.texture {
+            return None;
+        }
+        let reason = match (self.choices.shading, textured, survey.cut_out_surfaces) {
+            (Shading::Wire, ..) => "lines show no pictures".to_string(),
+            (_, 0, _) => "no surface has a picture".to_string(),
+            (_, _, 0) => format!("{textured} of {surfaces} surfaces have a picture"),
+            (_, _, holes) => format!("{textured} of {surfaces} surfaces have a picture, {holes} of these with holes"),
+        };
+        let saving = if self.needs.texture { "" } else { "planes of u and v a polygon" };
+        Some(row("texture", yes_no(self.needs.texture), reason, saving.into()))
     }
 
     /// Only where the scene says something about it.

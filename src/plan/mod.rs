@@ -13,8 +13,8 @@ mod needs;
 mod view;
 
 pub use choices::{
-    AngleSpan, Choices, ClipLight, Culling, DepthFormat, EXACT_SUBPIXELS, FlatRule, Interpolation, LightTerms,
-    NeedsMode, Shading, Transparency,
+    AlphaRule, AngleSpan, Choices, ClipLight, Culling, DepthFormat, EXACT_SUBPIXELS, FlatRule, Interpolation,
+    LightTerms, NeedsMode, Shading, TextureFilter, Transparency,
 };
 pub use error::PlanError;
 pub use explain::PlanRow;
@@ -33,6 +33,8 @@ pub enum Accepts {
 }
 
 /// What numbers that interpolation carries from the vertices into a polygon; chosen once per list.
+///
+/// Whatever there is of it stands in this order: color, or normal and point in eye space; a factor on the color; u and v.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Varying {
     /// Nothing: wire.
@@ -43,40 +45,71 @@ pub enum Varying {
     NormalEye,
     /// The same, and a color that the light of the surface is multiplied with: Phong where vertices have colors.
     NormalEyeColor,
+    /// As `Color`, then u and v: the list has surfaces with pictures.
+    ColorTexture,
+    /// As `NormalEye`, then u and v.
+    NormalEyeTexture,
+    /// As `NormalEyeColor`, then u and v.
+    NormalEyeColorTexture,
 }
 
 impl Varying {
     /// How many numbers that is.
     #[must_use]
     pub fn count(self) -> usize {
-        match self {
+        self.light_count() + self.texture_count()
+    }
+
+    /// How many of them, from the first on, come from light: color, or normal and eye point and what goes with them.
+    #[must_use]
+    #[inline]
+    pub fn light_count(self) -> usize {
+        match self.without_texture() {
             Varying::Nothing => 0,
             Varying::Color => 3,
             Varying::NormalEye => 6,
-            Varying::NormalEyeColor => 9,
+            _ => 9,
         }
     }
 
-    /// Which attributes of a vertex clipping carries along, by their places there: eye points follow from positions.
+    /// How many of them, behind those, are texture coordinates: 2 or none.
     #[must_use]
-    pub fn carried(self) -> &'static [usize] {
-        match self {
-            Varying::Nothing => &[],
-            Varying::Color | Varying::NormalEye => &[0, 1, 2],
-            Varying::NormalEyeColor => &[0, 1, 2, 5, 6, 7],
-        }
+    #[inline]
+    pub fn texture_count(self) -> usize {
+        if self == self.without_texture() { 0 } else { 2 }
     }
 
-    /// Whether a factor on the color varies beside normals.
+    /// Whether number `index` is a coordinate of the eye point: a length in space, whatever interpolation was chosen.
     #[must_use]
-    pub fn has_factor(self) -> bool {
-        self == Varying::NormalEyeColor
+    #[inline]
+    pub fn is_eye_point(self, index: usize) -> bool {
+        self.has_normals() && (3..6).contains(&index)
     }
 
     /// Whether normals and eye points vary, and light is for the rasterizer to compute.
     #[must_use]
+    #[inline]
     pub fn has_normals(self) -> bool {
-        matches!(self, Varying::NormalEye | Varying::NormalEyeColor)
+        !matches!(self.without_texture(), Varying::Nothing | Varying::Color)
+    }
+
+    /// Whether a factor on the color varies beside normals.
+    #[must_use]
+    #[inline]
+    pub fn has_factor(self) -> bool {
+        self.without_texture() == Varying::NormalEyeColor
+    }
+
+    /// The same without texture coordinates.
+    #[must_use]
+    #[inline]
+    pub fn without_texture(self) -> Varying {
+        match self {
+            Varying::ColorTexture => Varying::Color,
+            Varying::NormalEyeTexture => Varying::NormalEye,
+            Varying::NormalEyeColorTexture => Varying::NormalEyeColor,
+            other => other,
+        }
     }
 }
 
@@ -145,9 +178,13 @@ impl Plan {
     /// What interpolation carries under this shading.
     #[must_use]
     pub fn varying(&self) -> Varying {
+        let (texture, colors) = (self.needs.texture, self.survey.colored_surfaces > 0);
         match self.choices.shading {
+            Shading::Gouraud | Shading::Flat if texture => Varying::ColorTexture,
             Shading::Gouraud | Shading::Flat => Varying::Color,
-            Shading::Phong if self.survey.colored_surfaces > 0 => Varying::NormalEyeColor,
+            Shading::Phong if texture && colors => Varying::NormalEyeColorTexture,
+            Shading::Phong if texture => Varying::NormalEyeTexture,
+            Shading::Phong if colors => Varying::NormalEyeColor,
             Shading::Phong => Varying::NormalEye,
             Shading::Wire => Varying::Nothing,
         }
@@ -160,6 +197,9 @@ fn check(choices: &Choices) -> Result<(), PlanError> {
     }
     if !(choices.tolerance > 0.0 && choices.tolerance.is_finite()) {
         return Err(PlanError::Tolerance(choices.tolerance));
+    }
+    if let Some(threshold) = choices.alpha_threshold.filter(|threshold| !(0.0..=1.0).contains(threshold)) {
+        return Err(PlanError::AlphaThreshold(threshold));
     }
     if let Some(resolution) = choices.resolution.filter(|&resolution| resolution == 0 || resolution > 1000) {
         return Err(PlanError::Resolution(resolution));

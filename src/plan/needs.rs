@@ -85,6 +85,8 @@ pub struct Needs {
     pub depth: bool,
     /// Which polygons are split.
     pub split: Split,
+    /// Polygons carry texture coordinates.
+    pub texture: bool,
     /// Shapes outside the view are tessellated, too.
     pub shapes_outside: bool,
 }
@@ -101,7 +103,8 @@ impl Needs {
             specular: !wire && survey.shiny_surfaces > 0 && choices.light_terms.specular,
             blending: !wire && survey.transparent_surfaces > 0,
             depth: !wire,
-            split: split(choices, accepts),
+            split: split(choices, accepts, survey.textured_surfaces > 0),
+            texture: !wire && survey.textured_surfaces > 0,
             shapes_outside: false,
         }
     }
@@ -116,18 +119,21 @@ impl Needs {
             specular: choices.light_terms.specular,
             blending: true,
             depth: true,
-            split: split(choices, accepts),
+            // Where nothing has a picture all coordinates are 0, and nothing more is split.
+            split: split(choices, accepts, true),
+            texture: choices.shading != Shading::Wire,
             shapes_outside: true,
         }
     }
 }
 
-fn split(choices: &Choices, accepts: Accepts) -> Split {
+fn split(choices: &Choices, accepts: Accepts, textured: bool) -> Split {
     match (choices.triangles || accepts == Accepts::Triangles, choices.shading) {
         (true, _) => Split::All,
         // Values run along scan lines, over outlines of any number of corners.
         (false, _) if choices.interpolation == Interpolation::ScanLine => Split::None,
         (false, Shading::Gouraud | Shading::Phong) => Split::NotAffine,
+        (false, Shading::Flat) if textured => Split::NotAffine,
         (false, Shading::Flat | Shading::Wire) => Split::None,
     }
 }
@@ -145,6 +151,10 @@ pub struct Survey {
     pub shiny_surfaces: usize,
     /// Placed surfaces that are not opaque.
     pub transparent_surfaces: usize,
+    /// Placed surfaces with a picture and polygons to wear it.
+    pub textured_surfaces: usize,
+    /// Those of them that have holes.
+    pub cut_out_surfaces: usize,
     /// Placed surfaces that keep their back faces, whatever the culling.
     pub two_sided_surfaces: usize,
     /// Placed surfaces of SIPP's `phong`.
@@ -190,6 +200,7 @@ impl Survey {
             for &id in &placed.object.surfaces {
                 let surface = scene.surface(id);
                 survey.count_surface(surface);
+                survey.count_texture(surface, scene);
                 survey.count_mesh(&surface.mesh, surface.material.specular > 0.0);
                 survey.look_at_box(&surface.mesh, &placed.world_from_local, view);
                 for primitive in &surface.primitives {
@@ -213,6 +224,12 @@ impl Survey {
         self.two_sided_surfaces += usize::from(surface.two_sided);
         self.phong_surfaces += usize::from(material.reflection == Reflection::Phong);
         self.basic_surfaces += usize::from(matches!(material.reflection, Reflection::Basic { .. }));
+    }
+
+    fn count_texture(&mut self, surface: &Surface, scene: &Scene) {
+        let Some((_, texture)) = scene.picture_on(surface) else { return };
+        self.textured_surfaces += 1;
+        self.cut_out_surfaces += usize::from(texture.cut_out.is_some());
     }
 
     fn count_mesh(&mut self, mesh: &Mesh, shiny: bool) {

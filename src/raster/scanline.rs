@@ -20,7 +20,7 @@
 use super::coverage::Edge;
 use super::{Rasterizer, Target};
 use crate::math::edges;
-use crate::screen::{DrawList, Fragment, ScreenPolygon, Values};
+use crate::screen::{DrawList, ScreenPolygon, Values};
 use std::ops::Range;
 
 /// Draws polygon by polygon, scan line by scan line, with incremental values.
@@ -190,9 +190,8 @@ fn draw_span(
         let inverse_w = plane.clamp(f64::from(inverse_w));
         let depth = list.depth_mapping.apply(inverse_w);
         if depth > target.depth(column, row) {
-            let color = list.shader.color(polygon, &polygon.values_from((column, row), inverse_w, &over_w));
-            let opacity = list.shader.opacity(polygon);
-            target.put(Fragment { x: column, y: row, depth, color, opacity, polygon: polygon.index });
+            let values = polygon.values_from((column, row), inverse_w, &over_w);
+            target.put(list.shader.fragment_from(polygon, (column, row), inverse_w, &values));
         }
         values.add(right);
     }

@@ -194,11 +194,26 @@ impl Target<'_> {
         *most = count.max(*most);
     }
 
-    /// Shows `fragment`, whatever was there before. Opacity below 1 keeps it apart and leaves depth alone.
+    /// Shows `fragment`, whatever was there before. Opacity below 1 keeps it apart and leaves depth alone; a hole is nothing.
     pub fn put(&mut self, fragment: Fragment) {
+        if fragment.is_hole() {
+            return;
+        }
         match self.index(fragment.x, fragment.y) {
             Some(index) => self.put_at(index, fragment),
             None => self.put_outside(fragment),
+        }
+    }
+
+    /// As [`Target::put`], if the fragment is in front of what was put there: nearer, or as near and earlier in the list.
+    ///
+    /// For algorithms that decide whole spans, and then have to look at surfaces with holes sample by sample.
+    pub fn put_if_in_front(&mut self, fragment: Fragment) {
+        let depth = self.depth(fragment.x, fragment.y);
+        let index = self.index_within(self.width, fragment.x, fragment.y);
+        let is_first = index.is_some_and(|index| fragment.polygon < self.owner[index]);
+        if fragment.depth > depth || (fragment.depth == depth && is_first) {
+            self.put(fragment);
         }
     }
 

@@ -41,6 +41,10 @@ fn draw_rows(list: &DrawList, target: &mut Target<'_>) {
 fn draw_sample(polygon: &ScreenPolygon<'_>, shader: &Shader, (x, y): (i32, i32), target: &mut Target<'_>) {
     // Strictly nearer: of two polygons at the same depth, the first in the list keeps the sample.
     if polygon.depth(x, y) > target.depth(x, y) {
-        target.put(shader.fragment(polygon, x, y));
+        let fragment = shader.fragment(polygon, x, y);
+        // What is not there hides nothing: a hole must leave depth alone.
+        if !fragment.is_hole() {
+            target.put(fragment);
+        }
     }
 }

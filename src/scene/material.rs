@@ -2,6 +2,7 @@
 //!
 //! Space: none; colors are display values, as written in the file.
 
+use super::TextureId;
 use crate::color::Rgb;
 
 /// Which reflection model a surface follows; [`crate::screen::shader`] has the formulas.
@@ -38,6 +39,8 @@ pub struct Material {
     pub opacity: Rgb,
     /// Index of refraction: kept for the NFF writer, unused by rasterizers.
     pub refraction: f64,
+    /// A picture that the light is multiplied by; the surface's polygons then have texture coordinates.
+    pub texture: Option<TextureId>,
 }
 
 impl Default for Material {
@@ -52,6 +55,7 @@ impl Default for Material {
             shine: 0.0,
             opacity: Rgb::WHITE,
             refraction: 1.0,
+            texture: None,
         }
     }
 }

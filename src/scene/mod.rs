@@ -15,6 +15,7 @@ mod light;
 mod material;
 mod mesh;
 mod shape;
+mod texture;
 mod tree;
 mod triangles;
 
@@ -22,6 +23,7 @@ pub use light::{Light, LightSource, SpotEdge};
 pub use material::{Material, Reflection};
 pub use mesh::{Mesh, NormalSource, Polygon};
 pub use shape::{CurveNet, PatchNet, Primitive, Shape, TeapotPart, TextureMapping};
+pub use texture::{CutOut, Texture, TextureId};
 pub use tree::{InstanceBudgetExceeded, Placed, Walk};
 pub use triangles::{MAGIC, MOST_LIGHTS, TriangleKind, TriangleRange, Triangles};
 
@@ -39,6 +41,8 @@ pub struct Scene {
     pub objects: Vec<Object>,
     /// All surfaces; [`SurfaceId`] points here.
     pub surfaces: Vec<Surface>,
+    /// Pictures on surfaces; [`TextureId`] points here.
+    pub textures: Vec<Texture>,
     /// The top-level objects, in the order of the files: the children of the world.
     pub world: Vec<ObjectId>,
     /// The lights, in the order of the files.
@@ -130,6 +134,14 @@ impl Scene {
         &self.surfaces[id.0 as usize]
     }
 
+    /// The picture that the polygons of `surface` wear: it has one, and they have texture coordinates. Shapes have none.
+    #[must_use]
+    pub fn picture_on(&self, surface: &Surface) -> Option<(TextureId, &Texture)> {
+        let has_places = !surface.mesh.texture.is_empty() && surface.primitives.is_empty();
+        let id = surface.material.texture.filter(|_| has_places)?;
+        Some((id, self.textures.get(id.0 as usize)?))
+    }
+
     /// Adds `later` behind what is here: objects and lights add up, view parameters of `later` win.
     ///
     /// Returns which view parameters were replaced, for the notice that FAROP prints.
@@ -151,8 +163,13 @@ impl Scene {
             place: moved(object.place),
             ..object
         }));
+        let textures = self.textures.len() as u32;
         let surfaces_of_later = later.surfaces.into_iter();
-        self.surfaces.extend(surfaces_of_later.map(|surface| Surface { place: moved(surface.place), ..surface }));
+        self.surfaces.extend(surfaces_of_later.map(|surface| {
+            let texture = surface.material.texture.map(|id| TextureId(id.0 + textures));
+            Surface { material: Material { texture, ..surface.material }, place: moved(surface.place), ..surface }
+        }));
+        self.textures.extend(later.textures);
         self.world.extend(later.world.iter().map(|id| ObjectId(id.0 + objects)));
         self.lights.extend(later.lights.into_iter().map(|light| Light { place: moved(light.place), ..light }));
         self.camera = later.camera.map(|camera| Camera { place: moved(camera.place), ..camera }).or(self.camera);

@@ -19,7 +19,23 @@ pub struct Fragment {
     pub polygon: u32,
 }
 
-/// Interpolated values of one sample: red, green, blue; or normal and eye point.
+impl Fragment {
+    /// What a polygon shows where it has a hole: nothing, infinitely far away. Targets drop it; depth stays what it is.
+    #[must_use]
+    pub fn hole(x: i32, y: i32, polygon: u32) -> Fragment {
+        let (color, opacity) = (Rgb::gray(0.0), Rgb::gray(0.0));
+        Fragment { x, y, depth: 0.0, color, opacity, polygon }
+    }
+
+    /// Whether nothing is there: neither color nor depth is to be put.
+    #[must_use]
+    #[inline]
+    pub fn is_hole(&self) -> bool {
+        self.depth <= 0.0 && self.opacity == Rgb::gray(0.0)
+    }
+}
+
+/// Interpolated values of one sample: red, green, blue; or normal and eye point; behind them u and v, where surfaces have pictures.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Values {
     numbers: [f64; Values::MAX],
@@ -28,7 +44,7 @@ pub struct Values {
 
 impl Values {
     /// The most numbers any [`crate::plan::Varying`] has.
-    pub const MAX: usize = 9;
+    pub const MAX: usize = 11;
 
     /// Values from their numbers; at most [`Values::MAX`], further ones are dropped.
     #[must_use]

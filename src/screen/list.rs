@@ -145,14 +145,14 @@ impl DrawList {
         list.shader.lights.iter_mut().for_each(|light| light.scale_lengths(lengths));
         let numbers = self.varying.count();
         for values in list.values.chunks_exact_mut(numbers.max(1)) {
-            // Eye points stand behind normals.
-            values.iter_mut().skip(3).take(3).for_each(|value| *value *= lengths);
+            let numbers = values.iter_mut().enumerate();
+            numbers.filter(|&(number, _)| self.varying.is_eye_point(number)).for_each(|(_, value)| *value *= lengths);
         }
         let perspective = self.interpolation == Interpolation::Perspective;
         for planes in list.planes.chunks_exact_mut(1 + numbers) {
             planes[0].scale(1.0 / lengths, 1.0 / lengths);
             for (number, plane) in planes[1..].iter_mut().enumerate() {
-                plane.scale_varying((3..6).contains(&number), perspective, lengths);
+                plane.scale_varying(self.varying.is_eye_point(number), perspective, lengths);
             }
         }
         list
@@ -217,10 +217,12 @@ impl DrawList {
                 edge: EdgeKind::Original,
             });
             self.values.extend_from_slice(&color[..self.varying.count().min(3)]);
+            self.values.resize(self.values.len() + self.varying.texture_count(), 0.0);
         }
         let first_plane = self.planes.len() as u32;
         self.planes.push(Plane::constant(depth, self.precision));
         self.planes.extend(color.map(|channel| Plane::constant(channel, self.precision)));
+        self.planes.resize(self.planes.len() + self.varying.texture_count(), Plane::constant(0.0, self.precision));
         let vertex_count = corners.len() as u32;
         self.polygons.push(PolygonRecord {
             first_vertex,

@@ -14,6 +14,7 @@ mod fragment;
 mod grid;
 pub mod lane;
 mod list;
+mod plain;
 mod plane;
 mod polygon;
 mod scan_line;

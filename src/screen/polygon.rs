@@ -92,7 +92,7 @@ impl<'a> ScreenPolygon<'a> {
         self.list.depth_mapping.apply(self.inverse_w(x, y))
     }
 
-    /// What varies, at the center of sample (x, y): red, green, blue; or normal and eye point.
+    /// What varies, at the center of sample (x, y): red, green, blue; or normal and eye point; then u and v, where surfaces have pictures.
     ///
     /// The contract's one definition: value / w and 1/w by their planes, one division, within the range at the corners.
     /// With `--interpolation scanline`, what is not linear over the polygon runs along its edges and the scan line.
@@ -115,14 +115,25 @@ impl<'a> ScreenPolygon<'a> {
         let mut values = Values::default();
         let scan_line = self.scan_line(x, y);
         for (number, plane) in self.varying_planes().iter().enumerate() {
-            let value = match scan_line.filter(|_| plane.evaluation == Evaluation::ScanLine) {
-                Some(line) => self.round(line.value(|corner| self.vertex_values(corner)[number])),
-                None if self.is_over_w(number, plane) => self.divide(over_w(number, plane), inverse_w),
-                None => over_w(number, plane),
-            };
-            values.push(plane.clamp(value));
+            values.push(self.value((number, plane), scan_line, inverse_w, |plane| over_w(number, plane)));
         }
         values
+    }
+
+    /// One number of what varies.
+    #[inline]
+    fn value(
+        &self,
+        (number, plane): (usize, &Plane),
+        scan_line: Option<ScanLine>,
+        inverse_w: f64,
+        over_w: impl Fn(&Plane) -> f64,
+    ) -> f64 {
+        plane.clamp(match scan_line.filter(|_| plane.evaluation == Evaluation::ScanLine) {
+            Some(line) => self.round(line.value(|corner| self.vertex_values(corner)[number])),
+            None if self.is_over_w(number, plane) => self.divide(over_w(plane), inverse_w),
+            None => over_w(plane),
+        })
     }
 
     /// The edges around the sample, where some value runs between them.
@@ -137,8 +148,40 @@ impl<'a> ScreenPolygon<'a> {
     /// in space.
     #[inline]
     pub(crate) fn is_over_w(&self, number: usize, plane: &Plane) -> bool {
-        let in_space = self.list.interpolation == Interpolation::Perspective || (3..6).contains(&number);
+        let in_space = self.list.interpolation == Interpolation::Perspective || self.list.varying.is_eye_point(number);
         in_space && !matches!(plane.evaluation, Evaluation::Constant | Evaluation::ScanLine)
+    }
+
+    /// u and v at the center of sample (x, y), the last two of [`ScreenPolygon::values`]; 0 in lists without them.
+    #[inline]
+    pub(crate) fn texture_place(&self, x: i32, y: i32) -> [f64; 2] {
+        let first = self.list.varying.light_count();
+        let [u, v] = self.varying_planes().get(first..).unwrap_or_default() else { return [0.0; 2] };
+        let (inverse_w, scan_line) = (self.inverse_w(x, y), self.scan_line(x, y));
+        [(first, u), (first + 1, v)]
+            .map(|(number, plane)| self.value((number, plane), scan_line, inverse_w, |plane| plane.at(x, y)))
+    }
+
+    /// Change of (u, v) from sample to sample, to the right and down, where 1/w and (u, v) are these: from the planes alone.
+    ///
+    /// 0 where the list has no texture coordinates, and where they run along scan lines and have no planes.
+    #[inline]
+    pub(crate) fn texture_slopes(&self, inverse_w: f64, uv: [f64; 2]) -> [[f32; 2]; 2] {
+        let first = self.list.varying.light_count();
+        let (Some(depth), [u, v]) = (self.depth_plane(), self.varying_planes().get(first..).unwrap_or_default()) else {
+            return [[0.0; 2]; 2];
+        };
+        let (by_w, w) = (depth.slope(), 1.0 / inverse_w as f32);
+        let slope = |number: usize, plane: &Plane, value: f64| {
+            let slope = plane.slope();
+            if !self.is_over_w(number, plane) {
+                return slope;
+            }
+            // The rule of quotients.
+            [0, 1].map(|axis| (slope[axis] - value as f32 * by_w[axis]) * w)
+        };
+        let (u, v) = (slope(first, u, uv[0]), slope(first + 1, v, uv[1]));
+        [[u[0], v[0]], [u[1], v[1]]]
     }
 
     #[inline]
@@ -157,10 +200,18 @@ impl<'a> ScreenPolygon<'a> {
         }
     }
 
-    /// A fragment of this polygon at sample (x, y), with color and opacity still to be filled in by a shader.
+    /// A fragment of this polygon at sample (x, y), where 1/w is this, with color and opacity still to be filled in by a shader.
     #[inline]
-    pub(super) fn bare_fragment(&self, x: i32, y: i32) -> Fragment {
+    pub(super) fn bare_fragment(&self, (x, y): (i32, i32), inverse_w: f64) -> Fragment {
         let (color, opacity) = (crate::color::Rgb::gray(0.0), crate::color::Rgb::gray(1.0));
-        Fragment { x, y, depth: self.depth(x, y), color, opacity, polygon: self.index }
+        let depth = self.list.depth_mapping.apply(inverse_w);
+        Fragment { x, y, depth, color, opacity, polygon: self.index }
+    }
+
+    /// Whether the surface has holes, which are no part of the outline: samples are there or not one by one.
+    #[must_use]
+    #[inline]
+    pub fn is_cut_out(&self) -> bool {
+        self.list.shader.is_cut_out(self.record.surface)
     }
 }

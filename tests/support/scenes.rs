@@ -47,7 +47,7 @@ pub fn scene(camera: Camera, surfaces: Vec<Surface>) -> Scene {
         world: vec![ObjectId(0)],
         lights: vec![Light::point(position, Rgb::WHITE, place)],
         camera: Some(camera),
-        background: None,
+        ..Scene::default()
     }
 }
 

@@ -31,6 +31,7 @@ pub fn scene(random: &mut Random, kinds: Kinds) -> Scene {
         })
         .collect();
     Scene {
+        textures: Vec::new(),
         files: vec!["by hand".into()],
         objects,
         surfaces,
@@ -96,6 +97,7 @@ fn surface(random: &mut Random, index: u32, kinds: Kinds) -> Surface {
     };
     let opacity = [Rgb::WHITE, Rgb::new(0.9, 0.3, 0.6), Rgb::gray(0.1), Rgb::WHITE, Rgb::gray(0.5), Rgb::WHITE];
     let material = Material {
+        texture: None,
         reflection,
         color: color(random),
         ambient: if reflection == Reflection::Nff { None } else { Some(random.between(0.05, 0.4)) },

@@ -21,6 +21,7 @@ pub(super) fn build(source: &Source, mut draft: Draft, checked: &Checked) -> Sce
     let resolution = draft.image;
     scene.lights = std::mem::take(&mut draft.lights);
     scene.background = draft.background;
+    scene.textures = std::mem::take(&mut draft.textures);
     scene.camera = draft.camera.map(|camera| Camera { resolution: resolution.unwrap_or(camera.resolution), ..camera });
     let surfaces = std::mem::take(&mut draft.surfaces);
     let two_sided = draft.two_sided;

@@ -8,12 +8,14 @@
 
 use crate::diagnostic::Span;
 use crate::math::Affine3;
-use crate::scene::{Camera, Light, Material, Mesh, Primitive, Scene};
+use crate::scene::{Camera, Light, Material, Mesh, Primitive, Scene, Texture};
 
 /// Everything a file says.
 #[derive(Default)]
 pub(super) struct Draft {
     pub shaders: Vec<Shader>,
+    /// Pictures of shaders.
+    pub textures: Vec<Texture>,
     /// Definitions, nested objects, uses, imports and worlds.
     pub nodes: Vec<Node>,
     pub surfaces: Vec<RawSurface>,

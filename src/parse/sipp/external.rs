@@ -101,7 +101,7 @@ impl Reader<'_> {
         }
     }
 
-    fn path(&self, file: Span) -> PathBuf {
+    pub(super) fn path(&self, file: Span) -> PathBuf {
         let name = self.words.bytes(file);
         self.folder.join(&*String::from_utf8_lossy(name))
     }

@@ -24,6 +24,7 @@ mod shapes;
 mod statements;
 mod surface;
 mod table;
+mod textures;
 mod transforms;
 mod trouble;
 mod uses;
@@ -250,6 +251,7 @@ impl<'a> Reader<'a> {
     }
 
     fn finish(mut self, source: &Source, checked: &check::Checked) -> Parsed {
+        self.note_pictures_without_places(checked);
         if !self.draft.nodes.iter().any(|node| node.kind == NodeKind::World && node.has_content()) {
             let notice = Diagnostic::notice("nothing is drawn: the world is empty");
             self.notices.told.push(notice.help("objects are drawn where the world uses them: `world { use NAME }`"));

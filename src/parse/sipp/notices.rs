@@ -18,6 +18,7 @@ pub(super) enum Oddity {
     NoShadows,
     TransformsLeft,
     OutlineTurned,
+    PictureWithoutPlaces,
 }
 
 /// All oddities of a file.
@@ -76,6 +77,7 @@ fn subject(oddity: Oddity) -> (&'static str, &'static str) {
         Oddity::NoShadows => ("light asks", "lights ask"),
         Oddity::TransformsLeft => ("use starts", "uses start"),
         Oddity::OutlineTurned => ("outline was", "outlines were"),
+        Oddity::PictureWithoutPlaces => ("surface has", "surfaces have"),
     }
 }
 
@@ -93,6 +95,9 @@ fn predicate(oddity: Oddity) -> &'static str {
         Oddity::NoShadows => "for shadows: farop draws none",
         Oddity::TransformsLeft => {
             "from the identity: the transforms at the top of the object that is used do not count"
+        }
+        Oddity::PictureWithoutPlaces => {
+            "a picture and no texture coordinates: drawn without it; write `t U V 0` behind the vertices of polygons"
         }
         Oddity::OutlineTurned => "clockwise: turned round, the first point stays the first",
     }

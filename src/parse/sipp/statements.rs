@@ -38,6 +38,7 @@ impl Reader<'_> {
         self.words.take();
         let block = self.block(kind, line, &[known])?;
         self.note_bright(&block);
+        let texture = if block.broken { None } else { self.texture(&block)? };
         let number = |word: &str, default: f64| block.number(word).unwrap_or(default);
         let is_phong = self.words.bytes(kind) == b"phong";
         let reflection = if is_phong { Reflection::Phong } else { Reflection::Basic { c3: number("c3", 0.2) } };
@@ -51,6 +52,7 @@ impl Reader<'_> {
             shine: if is_phong { number("exponent", 20.0) } else { 0.0 },
             opacity: block.color("opacity").unwrap_or(Rgb::WHITE),
             refraction: 1.0,
+            texture,
         };
         self.draft.shaders.push(Shader { name, line, material });
         Ok(())

@@ -49,6 +49,11 @@ const OPACITY: Parameter = numbers("opacity", "opacity N or opacity R G B", &[1,
 const AMBIENT: Parameter = numbers("ambient", "ambient N", &[1], Range::From0);
 const SPECULAR: Parameter = numbers("specular", "specular N", &[1], Range::From0);
 
+const TEXTURE: Parameter = other("texture", "texture \"FILE\"", Takes::Text);
+const CUTOUT: Parameter = numbers("cutout", "cutout N", &[1], Range::Fraction);
+const KEY: Parameter = numbers("key", "key R G B", &[3], Range::Fraction);
+const WRAP: Parameter = other("wrap", "wrap repeat or wrap clamp", Takes::OneOf(&["repeat", "clamp"]));
+
 pub(super) const PHONG: &[Parameter] = &[
     AMBIENT,
     numbers("diffuse", "diffuse N", &[1], Range::From0),
@@ -56,10 +61,23 @@ pub(super) const PHONG: &[Parameter] = &[
     numbers("exponent", "exponent N", &[1], Range::From0),
     COLOR,
     OPACITY,
+    TEXTURE,
+    CUTOUT,
+    KEY,
+    WRAP,
 ];
 
-pub(super) const BASIC: &[Parameter] =
-    &[AMBIENT, SPECULAR, numbers("c3", "c3 N", &[1], Range::PositiveFraction), COLOR, OPACITY];
+pub(super) const BASIC: &[Parameter] = &[
+    AMBIENT,
+    SPECULAR,
+    numbers("c3", "c3 N", &[1], Range::PositiveFraction),
+    COLOR,
+    OPACITY,
+    TEXTURE,
+    CUTOUT,
+    KEY,
+    WRAP,
+];
 
 pub(super) const DIRECTIONAL: &[Parameter] = &[numbers("to", "to X Y Z", &[3], Range::Direction).required(), COLOR];
 

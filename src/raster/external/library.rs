@@ -135,7 +135,10 @@ fn load_and_serve(path: &Path) -> Result<(), String> {
     let draw = draw.map_err(|error| format!("it has no function `farop_draw`: {}", with_source(error)))?;
     let mut input = std::io::stdin().lock();
     while let Some(text) = next_file(&mut input).map_err(|error| error.to_string())? {
-        let file = read(&text, &ReadOptions::default()).map_err(|error| error.to_string())?;
+        let mut file = read(&text, &ReadOptions::default()).map_err(|error| error.to_string())?;
+        if file.list.has_texture() {
+            file.list = file.list.without_texture();
+        }
         let mut out = Vec::new();
         write_floats(file.list.width as usize, &call(*draw, &file), &mut out);
         std::io::stdout().lock().write_all(&out).map_err(|error| error.to_string())?;
@@ -180,6 +183,8 @@ fn call(draw: Draw, file: &ScreenFile) -> Vec<f32> {
             Varying::Color => 1,
             Varying::NormalEye => 2,
             Varying::NormalEyeColor => 3,
+            // Lists come without pictures.
+            Varying::ColorTexture | Varying::NormalEyeTexture | Varying::NormalEyeColorTexture => 0,
         },
         value_count,
         planes_each: if list.has_depth { 1 + value_count } else { 0 },

@@ -9,6 +9,9 @@
 //! Why a picture and not fragments: a picture is what every language can write with three lines of code. What it costs: farop does
 //! not know which polygon was put where, so blending is the program's own work.
 //!
+//! Pictures on surfaces do not go out: programs get the light of the surfaces alone ([`DrawList::without_texture`]), and say with
+//! `--stats` how many polygons that were.
+//!
 //! Space: samples. With A x A samples a pixel the program draws the picture A times larger, as every rasterizer does.
 //! Cost: the text of the list, a start of the program, and the bytes of the picture; for every band of a picture that is drawn in bands.
 
@@ -196,6 +199,9 @@ impl Rasterizer for External {
     fn draw(&self, list: &DrawList, target: &mut Target<'_>) {
         let (background, transparency) = (target.background(), target.transparency());
         let sheet = Sheet { background, transparency, ..Sheet::default() };
+        if list.has_texture() {
+            target.count("textured polygons sent in colors alone", list.textured_polygons() as u64);
+        }
         match self.picture(list, &sheet) {
             Ok(answer) => {
                 target.confined(Confinement { limits: self.limits.clone(), enforced: answer.enforced });
@@ -206,10 +212,17 @@ impl Rasterizer for External {
     }
 }
 
-/// What the program reads: the list in linear light, a picture of its own samples.
+/// What the program reads: the list in linear light and without pictures on surfaces, for a picture of its own samples.
 fn text_of(list: &DrawList, sheet: &Sheet) -> Result<Vec<u8>, ExternalFailure> {
     let sheet = Sheet { samples: 1, encoding: Encoding::Linear, ..*sheet };
     let mut text = Vec::new();
+    let plain;
+    let list = if list.has_texture() {
+        plain = list.without_texture();
+        &plain
+    } else {
+        list
+    };
     let written = write_v2(list, &sheet, Attributes::default(), &mut text);
     written.map(|()| text).map_err(|error| ExternalFailure::CannotSend(error.to_string()))
 }

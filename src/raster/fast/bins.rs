@@ -30,6 +30,8 @@ pub(super) enum Way {
     Runs,
     /// As the z-buffer does it: spans, and one evaluation a sample.
     Spans,
+    /// The same, for surfaces with holes: a sample that is not there leaves depth alone.
+    CutOut,
 }
 
 /// A polygon that covers samples perhaps, made ready.
@@ -108,7 +110,8 @@ impl Segment {
         }
         let depth = *polygon.depth_plane()?;
         let single = has_single_depth(list, &depth);
-        let edges = edges && single && make_ready(&mut self.corners, first_corner);
+        let cut_out = polygon.is_cut_out();
+        let edges = edges && single && !cut_out && make_ready(&mut self.corners, first_corner);
         if !edges {
             self.corners.truncate(first_corner);
         }
@@ -117,6 +120,7 @@ impl Segment {
             return None;
         }
         let way = match (edges, single) {
+            _ if cut_out => Way::CutOut,
             (true, _) => Way::Edges,
             (false, true) => Way::Runs,
             (false, false) => Way::Spans,

@@ -23,7 +23,7 @@ type Numbers<T, const N: usize> = [T; N];
 
 /// Whether depths of a tile are 1/w, and what varies comes from planes: then what is here applies.
 pub(super) fn applies(list: &DrawList) -> bool {
-    list.varying != Varying::Nothing
+    matches!(list.varying, Varying::Color | Varying::NormalEye)
         && list.precision == Precision::Single
         && list.depth_mapping.format == DepthFormat::F32
         && list.interpolation != Interpolation::ScanLine
@@ -51,6 +51,8 @@ pub(super) fn shade(level: Level, tile: &mut Finished<'_>) {
         Varying::Color => dispatch!(level, simd => shade_blocks::<_, 3>(simd, tile)),
         Varying::NormalEye => dispatch!(level, simd => shade_blocks::<_, 6>(simd, tile)),
         Varying::NormalEyeColor => dispatch!(level, simd => shade_blocks::<_, 9>(simd, tile)),
+        // Not here: [`applies`], [`super::textured`].
+        Varying::ColorTexture | Varying::NormalEyeTexture | Varying::NormalEyeColorTexture => {}
     }
 }
 
@@ -62,6 +64,9 @@ pub(super) fn of_sample(list: &DrawList, polygon: u32, sample: (i32, i32), depth
         Varying::Color => one::<3>(list, polygon, sample, depth, &mut powers),
         Varying::NormalEye => one::<6>(list, polygon, sample, depth, &mut powers),
         Varying::NormalEyeColor => one::<9>(list, polygon, sample, depth, &mut powers),
+        Varying::ColorTexture | Varying::NormalEyeTexture | Varying::NormalEyeColorTexture => {
+            list.shader.fragment(&list.polygon(polygon as usize), sample.0, sample.1).color
+        }
     };
     list.shader.add_powers(powers);
     light

@@ -22,6 +22,7 @@ mod layout;
 mod level;
 mod shade;
 mod sink;
+mod textured;
 mod tile;
 
 pub use level::{Instructions, Shortcuts};

@@ -25,7 +25,9 @@ impl<D: Depth> Tile<D> {
     pub fn shade(&mut self, list: &DrawList, behind: Behind, level: Level) {
         self.light.resize(self.owner.len(), behind.background);
         let by_planes = color::applies(list);
+        let is_done = self.shade_textured(list, behind.background);
         match D::singles(&mut self.depth) {
+            _ if is_done => {}
             Some(depth) if by_planes => {
                 let (area, stride, owner, light) = (&self.area, self.stride, &self.owner, &mut self.light);
                 let background = behind.background;

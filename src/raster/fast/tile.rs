@@ -162,6 +162,7 @@ impl<D: Depth> Tile<D> {
                 if let Some((&shape, after)) = rest.split_first() {
                     let shape = &segment.shapes[shape as usize];
                     match shape.way {
+                        Way::CutOut => self.draw_cut_out(list, shape, &mut spans),
                         Way::Runs => self.draw_runs(list, shape, &mut spans, level),
                         Way::Edges | Way::Spans => self.draw_spans(list, shape, &mut spans),
                     }

@@ -46,7 +46,7 @@ pub(super) struct Line {
     crossings: Vec<(u32, i32)>,
     /// Opaque segments, by their first column.
     segments: Vec<Segment>,
-    /// Transparent segments.
+    /// Segments of surfaces that let something through: transparent, or with holes.
     glass: Vec<Segment>,
     /// Who competes for the span in hand.
     contest: Contest,
@@ -69,7 +69,8 @@ impl Line {
         for pair in self.crossings.chunks_exact(2) {
             let segment = Segment { start: pair[0].1, end: pair[1].1, polygon: pair[0].0 };
             if segment.start < segment.end {
-                let opaque = list.shader.opacity(&list.polygon(segment.polygon as usize)) == Rgb::gray(1.0);
+                let polygon = list.polygon(segment.polygon as usize);
+                let opaque = list.shader.opacity(&polygon) == Rgb::gray(1.0) && !polygon.is_cut_out();
                 if opaque { self.segments.push(segment) } else { self.glass.push(segment) }
             }
         }
@@ -98,14 +99,19 @@ impl Line {
         }
     }
 
-    /// Puts every sample of the spans, then every sample of the transparent segments: the target keeps of these what is
-    /// in front of the opaque.
+    /// Puts every sample of the spans, then every sample of the other segments: the target keeps of the transparent ones what is
+    /// in front of the opaque. Which samples of a surface with holes are there, no span can tell: they are compared one by one.
     pub fn draw(&self, list: &DrawList, row: i32, target: &mut Target<'_>) {
         for span in &self.spans {
             put_run(&list.polygon(span.polygon as usize), (span.columns.clone(), row), list, target);
         }
         for segment in &self.glass {
-            put_run(&list.polygon(segment.polygon as usize), (segment.start..segment.end, row), list, target);
+            let polygon = list.polygon(segment.polygon as usize);
+            let columns = segment.start..segment.end;
+            match list.shader.opacity(&polygon) == Rgb::gray(1.0) {
+                true => put_cut_out(&polygon, (columns, row), list, target),
+                false => put_run(&polygon, (columns, row), list, target),
+            }
         }
     }
 
@@ -118,6 +124,24 @@ impl Line {
     pub fn report(&self, target: &mut Target<'_>) {
         target.count("segments", self.segment_count);
         self.contest.report(target);
+    }
+}
+
+/// Puts the samples of `columns` that are there and in front.
+fn put_cut_out(
+    polygon: &ScreenPolygon<'_>,
+    (columns, row): (Range<i32>, i32),
+    list: &DrawList,
+    target: &mut Target<'_>,
+) {
+    for column in columns {
+        // Not every sample that is behind need be shaded.
+        if polygon.depth(column, row) >= target.depth(column, row) {
+            let fragment = list.shader.fragment(polygon, column, row);
+            if fragment.depth > 0.0 {
+                target.put_if_in_front(fragment);
+            }
+        }
     }
 }
 

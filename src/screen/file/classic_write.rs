@@ -22,7 +22,6 @@
 use super::ScreenWriteError;
 use crate::color::{Encoding, Rgb};
 use crate::math::{Vec3, unit};
-use crate::plan::Varying;
 use crate::screen::{DrawList, ScreenPolygon};
 use std::io::{BufWriter, Write};
 
@@ -172,13 +171,13 @@ fn pixel(coordinate: f64, side: u32) -> i64 {
 /// Light at a corner, in all digits: what varies, or what a surface with that normal sends.
 fn corner_light(list: &DrawList, polygon: &ScreenPolygon<'_>, corner: usize) -> Rgb {
     let values = polygon.vertex_values(corner);
-    match (list.varying, values) {
-        (Varying::Color, &[r, g, b]) => Rgb::new(r, g, b),
-        (Varying::NormalEye, &[nx, ny, nz, ex, ey, ez]) => {
+    match *values {
+        [r, g, b] | [r, g, b, _, _] => Rgb::new(r, g, b),
+        [nx, ny, nz, ex, ey, ez] | [nx, ny, nz, ex, ey, ez, _, _] => {
             let normal = unit(Vec3::new(nx, ny, nz)).unwrap_or(Vec3::NEG_Z);
             list.shader.light(polygon.surface(), Vec3::new(ex, ey, ez), normal)
         }
-        (Varying::NormalEyeColor, &[nx, ny, nz, ex, ey, ez, r, g, b]) => {
+        [nx, ny, nz, ex, ey, ez, r, g, b] | [nx, ny, nz, ex, ey, ez, r, g, b, _, _] => {
             let normal = unit(Vec3::new(nx, ny, nz)).unwrap_or(Vec3::NEG_Z);
             list.shader.light_colored(polygon.surface(), (Vec3::new(ex, ey, ez), normal), Rgb::new(r, g, b))
         }

@@ -4,6 +4,7 @@
 //! drawn half a pixel off by everybody but its author. A reader that finds another word there must not go on.
 
 use super::number::Number;
+use super::textures;
 use super::v2::{Attributes, NAME};
 use super::words::Words;
 use super::{ReadOptions, ScreenFileError, Sheet, read_size};
@@ -26,11 +27,29 @@ const RULES: [(&str, &str); 6] = [
 const YES_NO: [(bool, &str); 2] = [(true, "yes"), (false, "no")];
 const ENCODINGS: [(Encoding, &str); 2] = [(Encoding::Srgb, "srgb"), (Encoding::Linear, "linear")];
 const PRECISIONS: [(Precision, &str); 2] = [(Precision::Single, "single"), (Precision::Double, "double")];
-const VARYINGS: [(Varying, &str); 4] = [
+const VARYINGS: [(Varying, &str); 7] = [
     (Varying::Color, "color"),
     (Varying::NormalEye, "normal_eye"),
     (Varying::NormalEyeColor, "normal_eye_color"),
     (Varying::Nothing, "nothing"),
+    (Varying::ColorTexture, "color_texture"),
+    (Varying::NormalEyeTexture, "normal_eye_texture"),
+    (Varying::NormalEyeColorTexture, "normal_eye_color_texture"),
+];
+
+/// What may vary beside normals, all of it.
+const ALL_NAMES: [&str; 11] = [
+    "normal_x",
+    "normal_y",
+    "normal_z",
+    "eye_x",
+    "eye_y",
+    "eye_z",
+    "factor_red",
+    "factor_green",
+    "factor_blue",
+    "u",
+    "v",
 ];
 
 /// How many records of each sort follow the head.
@@ -51,6 +70,8 @@ pub(super) struct Header {
     /// Vertices of a list of normals carry colors besides.
     pub extra_color: bool,
     pub counts: RecordCounts,
+    /// How many pictures follow.
+    pub textures: usize,
 }
 
 /// The names of the numbers that vary, in order.
@@ -59,17 +80,10 @@ pub(super) fn varying_names(varying: Varying) -> &'static [&'static str] {
         Varying::Nothing => &[],
         Varying::Color => &["red", "green", "blue"],
         Varying::NormalEye => &["normal_x", "normal_y", "normal_z", "eye_x", "eye_y", "eye_z"],
-        Varying::NormalEyeColor => &[
-            "normal_x",
-            "normal_y",
-            "normal_z",
-            "eye_x",
-            "eye_y",
-            "eye_z",
-            "factor_red",
-            "factor_green",
-            "factor_blue",
-        ],
+        Varying::NormalEyeColor => &ALL_NAMES[..9],
+        Varying::NormalEyeColorTexture => &ALL_NAMES,
+        Varying::ColorTexture => &["red", "green", "blue", "u", "v"],
+        Varying::NormalEyeTexture => &["normal_x", "normal_y", "normal_z", "eye_x", "eye_y", "eye_z", "u", "v"],
     }
 }
 
@@ -108,6 +122,7 @@ pub(super) fn write(
     writeln!(out, "planes {}", name_of(list.has_depth, &YES_NO))?;
     writeln!(out, "blending {}", name_of(list.has_blending, &YES_NO))?;
     writeln!(out, "varying {}", name_of(list.varying, &VARYINGS))?;
+    textures::write_head(list, out)?;
     writeln!(out, "vertex_fields {}", vertex_fields(list.varying, attributes.adds_color(list)))?;
     writeln!(out, "lights {}", list.shader.lights.len())?;
     writeln!(out, "surfaces {}", list.shader.surfaces.len())?;
@@ -142,6 +157,10 @@ pub(super) fn read(words: &mut Words<'_>, options: &ReadOptions) -> Result<Heade
     list.has_depth = field(words, "planes", |words| words.choice("whether polygons have planes", &YES_NO))?;
     list.has_blending = field(words, "blending", |words| words.choice("whether surfaces are transparent", &YES_NO))?;
     list.varying = field(words, "varying", |words| words.choice("what varies", &VARYINGS))?;
+    let mut textures = 0;
+    if list.has_texture() {
+        (list.shader.textures, textures) = textures::read_head(words, &sheet)?;
+    }
     let extra_color = field(words, "vertex_fields", |words| read_vertex_fields(words, list.varying))?;
     let counts = RecordCounts {
         lights: field(words, "lights", |words| words.count("the number of lights", 12))?,
@@ -149,7 +168,7 @@ pub(super) fn read(words: &mut Words<'_>, options: &ReadOptions) -> Result<Heade
         polygons: field(words, "polygons", |words| words.count("the number of polygons", 26))?,
         vertices: field(words, "vertices", |words| words.count("the number of vertices", 21))?,
     };
-    Ok(Header { list, sheet, unit, extra_color, counts })
+    Ok(Header { list, sheet, unit, extra_color, counts, textures })
 }
 
 /// Reads the record of `keyword`, its fields by `fields`.

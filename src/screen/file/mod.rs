@@ -20,6 +20,7 @@ mod header;
 mod number;
 mod records;
 mod shading;
+mod textures;
 mod v2;
 mod words;
 

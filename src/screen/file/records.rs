@@ -5,6 +5,7 @@ use super::ScreenFileError;
 use super::header::{Header, RecordCounts, color, color_text, name_of, varying_names};
 use super::number::Number;
 use super::shading::{read_light, read_surface};
+use super::textures::read_texture;
 use super::words::Words;
 use crate::color::Rgb;
 use crate::math::Vec3;
@@ -64,9 +65,11 @@ pub(super) fn write_polygon(
 /// Reads everything behind the head into its list.
 pub(super) fn read_body(words: &mut Words<'_>, header: &mut Header) -> Result<(), ScreenFileError> {
     let RecordCounts { lights, surfaces, polygons, vertices } = header.counts;
-    let Header { list, extra_color, .. } = header;
+    let Header { list, extra_color, sheet, textures, .. } = header;
     list.shader.lights = (0..lights).map(|_| read_light(words)).collect::<Result<_, _>>()?;
-    list.shader.surfaces = (0..surfaces).map(|index| read_surface(words, index)).collect::<Result<_, _>>()?;
+    (0..*textures).try_for_each(|index| read_texture(words, index, sheet, &mut list.shader.textures))?;
+    let textures = &list.shader.textures;
+    list.shader.surfaces = (0..surfaces).map(|index| read_surface(words, index, textures)).collect::<Result<_, _>>()?;
     list.vertices.reserve_exact(vertices);
     list.values.reserve_exact(vertices * list.varying.count());
     list.polygons.reserve_exact(polygons);

@@ -7,11 +7,12 @@ use super::ScreenFileError;
 use super::header::{color, color_text, name_of};
 use super::number::Number;
 use super::records::{WHOLE, numbers, vector};
+use super::textures::read_texture_of_surface;
 use super::words::Words;
 use crate::color::Rgb;
 use crate::math::Vec3;
 use crate::scene::{Place, Reflection, SpotEdge};
-use crate::screen::shader::{EyeLight, EyeSource, Spot, SurfaceShading};
+use crate::screen::shader::{EyeLight, EyeSource, Spot, SurfaceShading, Textures};
 use std::io::{self, Write};
 
 const EDGES: [(SpotEdge, &str); 2] = [(SpotEdge::Sharp, "sharp"), (SpotEdge::Soft, "soft")];
@@ -84,13 +85,21 @@ pub(super) fn write_surface(index: usize, surface: &SurfaceShading, out: &mut dy
     numbers(out, &[surface.specular, surface.shine])?;
     write!(out, " {} {} {}", color_text(surface.opacity), surface.place.file, surface.place.line)?;
     match surface.reflection {
-        Reflection::Nff => writeln!(out),
-        Reflection::Phong => writeln!(out, " phong"),
-        Reflection::Basic { c3 } => writeln!(out, " basic {}", Number(c3)),
+        Reflection::Nff => {}
+        Reflection::Phong => write!(out, " phong")?,
+        Reflection::Basic { c3 } => write!(out, " basic {}", Number(c3))?,
     }
+    if let Some(texture) = surface.texture {
+        write!(out, " texture {texture}")?;
+    }
+    writeln!(out)
 }
 
-pub(super) fn read_surface(words: &mut Words<'_>, index: usize) -> Result<SurfaceShading, ScreenFileError> {
+pub(super) fn read_surface(
+    words: &mut Words<'_>,
+    index: usize,
+    textures: &Textures,
+) -> Result<SurfaceShading, ScreenFileError> {
     words.record("surface")?;
     words.whole("the number of the surface", index as u64..=index as u64)?;
     let ambient = vector(words, ["ambient red", "ambient green", "ambient blue"])?;
@@ -100,14 +109,16 @@ pub(super) fn read_surface(words: &mut Words<'_>, index: usize) -> Result<Surfac
     let file = words.whole("the number of the scene file", 0..=u64::from(u16::MAX))? as u16;
     let line = words.whole("the line in the scene file", WHOLE)? as u32;
     let reflection = read_reflection(words)?;
+    let texture = read_texture_of_surface(words, textures)?;
     words.end_of_record()?;
     let (ambient, diffuse) = (Rgb::from(ambient.to_array()), Rgb::from(diffuse.to_array()));
-    Ok(SurfaceShading { reflection, ambient, diffuse, specular, shine, opacity, place: Place { file, line } })
+    let place = Place { file, line };
+    Ok(SurfaceShading { reflection, ambient, diffuse, specular, shine, opacity, texture, place })
 }
 
 /// The words behind the numbers of a surface; none: NFF's model.
 fn read_reflection(words: &mut Words<'_>) -> Result<Reflection, ScreenFileError> {
-    if words.peek().text.is_empty() {
+    if words.peek().text.is_empty() || words.peek().text == "texture" {
         return Ok(Reflection::Nff);
     }
     match words.choice("the reflection model, or the end of the line", &MODELS)? {

@@ -6,11 +6,12 @@
 //! list, byte for byte, whatever the shading: a Phong list holds normals, eye points, surfaces and lights.
 //!
 //! A file is a head ([`super::header`]), then records ([`super::records`]), then `end`:
-//! lights, surfaces, and every polygon with its planes and vertices.
+//! lights, pictures, surfaces, and every polygon with its planes and vertices.
 
 use super::header::{self, Header};
 use super::records;
 use super::shading;
+use super::textures;
 use super::words::{Layout, Words};
 use super::{Kind, ReadOptions, ScreenFile, ScreenFileError, ScreenWriteError, Sheet};
 use crate::plan::Varying;
@@ -20,7 +21,8 @@ use std::io::{BufWriter, Write};
 /// The first word of a v2 file.
 pub(super) const NAME: &str = "farop-screen";
 
-/// What is asked to be at the vertices of a v2 file (`--attributes`). None of it: what the list carries.
+/// What is asked to be at the vertices of a v2 file (`--attributes`). None of it: what the list carries. Pictures, and the texture
+/// coordinates that belong to them, stand in the file if they are asked for or nothing is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Attributes {
     /// Colors; in a list of normals they are lit and stand behind normal and eye point.
@@ -52,8 +54,8 @@ impl Attributes {
     fn check(self, list: &DrawList) -> Result<(), ScreenWriteError> {
         match list.varying {
             _ if list.grid.is_exact() => Err(ScreenWriteError::Unsnapped),
-            _ if self.texture => Err(ScreenWriteError::NoTexture),
-            Varying::Color | Varying::Nothing if self.phong => Err(ScreenWriteError::NoNormals),
+            _ if self.texture && !list.has_texture() => Err(ScreenWriteError::NoTexture),
+            Varying::Color | Varying::ColorTexture | Varying::Nothing if self.phong => Err(ScreenWriteError::NoNormals),
             Varying::Nothing if self.color => Err(ScreenWriteError::NoColors),
             _ => Ok(()),
         }
@@ -71,6 +73,13 @@ pub fn write_v2(
     out: &mut dyn Write,
 ) -> Result<(), ScreenWriteError> {
     attributes.check(list)?;
+    let plain;
+    let list = if list.has_texture() && !attributes.texture && attributes != Attributes::default() {
+        plain = list.without_texture();
+        &plain
+    } else {
+        list
+    };
     let unit = list.unit;
     let in_scene_units;
     let list = if unit == 1.0 {
@@ -87,6 +96,9 @@ pub fn write_v2(
     header::write((list, unit), sheet, attributes, &mut out)?;
     for light in &list.shader.lights {
         shading::write_light(light, &mut out)?;
+    }
+    for (index, texture) in list.shader.textures.list.iter().enumerate() {
+        textures::write_texture(index, texture, &mut out)?;
     }
     for (index, surface) in list.shader.surfaces.iter().enumerate() {
         shading::write_surface(index, surface, &mut out)?;

@@ -4,8 +4,9 @@
 //!
 //! Used by the geometry stage at vertices (flat, Gouraud) and by every rasterizer at samples (Phong), so that both
 //! mean the same by "light". `lights` knows what arrives at a point, `reflection` what leaves it, and has the formulas of the
-//! three models; this file goes from light to light. `docs/shading.md` explains all of it with pictures. All of it is written for one
-//! point or several side by side ([`super::lane::Wide`]): the readable path lights one sample at a time, the fast one eight, by the same lines.
+//! three models; this file goes from light to light, and `texture` multiplies it by pictures. `docs/shading.md` explains all of it
+//! with pictures. Light is written for one point or several side by side ([`super::lane::Wide`]): the readable path lights one sample at
+//! a time, the fast one eight, by the same lines.
 //!
 //! Space: eye space; the eye is the origin. Colors are linear light.
 //! Source: Phong, "Illumination for Computer Generated Pictures", CACM 18(6), 1975, 311-317; coefficients as in NFF and SIPP.
@@ -14,9 +15,12 @@
 mod lights;
 mod power;
 mod reflection;
+mod texture;
 
 pub use lights::{EyeLight, EyeSource, Spot};
 pub use reflection::SurfaceShading;
+pub(crate) use texture::Seen;
+pub use texture::{Picture, TextureShading, Textures};
 
 use self::lights::Arriving;
 use super::lane::{Wide, choose, dot, unit};
@@ -32,6 +36,8 @@ pub struct Shader {
     pub lights: Vec<EyeLight>,
     /// One entry a placed surface.
     pub surfaces: Vec<SurfaceShading>,
+    /// Pictures on surfaces.
+    pub textures: Textures,
     /// Highlights are computed even where Ks is 0.
     pub specular_everywhere: bool,
     /// Color of lines, which have no light.
@@ -120,14 +126,39 @@ impl Shader {
     }
 
     /// The fragment of `polygon` at sample (x, y): depth, color and opacity by the contract's definition.
+    ///
+    /// Where the surface has a hole it is [`Fragment::hole`]: not to be put. A rasterizer that puts it all the same does no harm, if
+    /// it has only asked for depth before.
     #[must_use]
     #[inline]
     pub fn fragment(&self, polygon: &ScreenPolygon<'_>, x: i32, y: i32) -> Fragment {
-        let color = self.color(polygon, &polygon.values(x, y));
-        Fragment { color, opacity: self.opacity(polygon), ..polygon.bare_fragment(x, y) }
+        self.fragment_from(polygon, (x, y), polygon.inverse_w(x, y), &polygon.values(x, y))
     }
 
-    /// The color of interpolated `values`: themselves, or for normal and eye point the light there.
+    /// The same from 1/w and interpolated `values`, however a rasterizer came by them: incrementally, say.
+    #[must_use]
+    #[inline]
+    pub fn fragment_from(
+        &self,
+        polygon: &ScreenPolygon<'_>,
+        sample: (i32, i32),
+        inverse_w: f64,
+        values: &[f64],
+    ) -> Fragment {
+        let seen = match *values {
+            [_, _, _, u, v] | [_, _, _, _, _, _, u, v] => self.seen(polygon, sample, inverse_w, [u, v]),
+            _ => Seen::Plain,
+        };
+        let color = match seen {
+            Seen::Plain => self.color(polygon, values),
+            Seen::Color(texel) => self.color(polygon, values) * texel,
+            // Before any light is computed.
+            Seen::Hole => return Fragment::hole(sample.0, sample.1, polygon.index),
+        };
+        Fragment { color, opacity: self.opacity(polygon), ..polygon.bare_fragment(sample, inverse_w) }
+    }
+
+    /// The color of interpolated `values`: themselves, or for normal and eye point the light there; without any picture.
     #[must_use]
     #[inline]
     pub fn color(&self, polygon: &ScreenPolygon<'_>, values: &[f64]) -> Rgb<f32> {
@@ -141,11 +172,11 @@ impl Shader {
     #[inline]
     pub(crate) fn color_counting(&self, surface: u32, values: &[f64], powers: &mut u64) -> Rgb<f32> {
         match *values {
-            [r, g, b] => Rgb::new(r as f32, g as f32, b as f32),
-            [nx, ny, nz, ex, ey, ez] => {
+            [r, g, b] | [r, g, b, _, _] => Rgb::new(r as f32, g as f32, b as f32),
+            [nx, ny, nz, ex, ey, ez] | [nx, ny, nz, ex, ey, ez, _, _] => {
                 Rgb::from(self.light_counting(surface, ([nx, ny, nz, ex, ey, ez], None), true, powers)).to_f32()
             }
-            [nx, ny, nz, ex, ey, ez, r, g, b] => {
+            [nx, ny, nz, ex, ey, ez, r, g, b] | [nx, ny, nz, ex, ey, ez, r, g, b, _, _] => {
                 let values = ([nx, ny, nz, ex, ey, ez], Some([r, g, b]));
                 Rgb::from(self.light_counting(surface, values, true, powers)).to_f32()
             }
@@ -240,6 +271,7 @@ impl Clone for Shader {
         Shader {
             lights: self.lights.clone(),
             surfaces: self.surfaces.clone(),
+            textures: self.textures.clone(),
             specular_everywhere: self.specular_everywhere,
             line_color: self.line_color,
             powers: AtomicU64::new(self.powers()),
@@ -250,7 +282,10 @@ impl Clone for Shader {
 impl PartialEq for Shader {
     /// Equal pictures; how much work was done does not count.
     fn eq(&self, other: &Self) -> bool {
-        self.lights == other.lights && self.surfaces == other.surfaces && self.line_color == other.line_color
+        self.lights == other.lights
+            && self.surfaces == other.surfaces
+            && self.line_color == other.line_color
+            && self.textures == other.textures
     }
 }
 

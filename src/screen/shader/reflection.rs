@@ -39,6 +39,8 @@ pub struct SurfaceShading {
     pub shine: f64,
     /// Per channel.
     pub opacity: Rgb<f32>,
+    /// Its picture in [`super::Textures::list`].
+    pub texture: Option<u32>,
     /// Where the surface was declared.
     pub place: Place,
 }

@@ -1,9 +1,10 @@
 //! Materials as shaders with names: one for all surfaces of equal material.
 
 use super::losses::Losses;
-use super::sharing::Sharing;
+use super::sharing::{Sharing, sayable as sayable_text};
 use crate::color::Rgb;
-use crate::scene::{Material, Reflection, Scene, SurfaceId};
+use crate::image::textures::Wrap;
+use crate::scene::{Material, Reflection, Scene, SurfaceId, Texture};
 use crate::write::number::write_number;
 use std::collections::HashMap;
 use std::io::{self, Write};
@@ -19,23 +20,28 @@ struct Shader {
     /// `phong3`: the model and a number.
     name: String,
     material: Material,
+    /// The words for its picture; empty without one.
+    texture: String,
 }
 
 impl Shaders {
     /// Collects the materials of what is written, in that order.
     pub fn of(scene: &Scene, sharing: &Sharing, losses: &mut Losses) -> Shaders {
         let mut shaders = Shaders { of_surface: vec![None; scene.surfaces.len()], list: Vec::new() };
-        let mut known: HashMap<[u64; 12], u32> = HashMap::new();
+        let mut known: HashMap<([u64; 12], u64), u32> = HashMap::new();
         for id in sharing.surfaces() {
             let surface = scene.surface(id);
             if surface.mesh.polygons.is_empty() && surface.primitives.is_empty() {
                 continue;
             }
             let material = sayable(&surface.material, scene, losses);
-            let index = *known.entry(bits(&material)).or_insert(shaders.list.len() as u32);
+            let texture = scene.picture_on(surface).map_or(u64::MAX, |(id, _)| u64::from(id.0));
+            let index = *known.entry((bits(&material), texture)).or_insert(shaders.list.len() as u32);
             if index as usize == shaders.list.len() {
                 let model = if material.reflection == Reflection::Phong { "phong" } else { "basic" };
-                shaders.list.push(Shader { name: format!("{model}{}", index + 1), material });
+                let texture = scene.picture_on(surface).map(|(_, texture)| texture_words(texture)).unwrap_or_default();
+                losses.pictures += usize::from(!texture.is_empty());
+                shaders.list.push(Shader { name: format!("{model}{}", index + 1), material, texture });
             }
             shaders.of_surface[id.0 as usize] = Some(index);
         }
@@ -79,8 +85,24 @@ impl Shader {
             write!(out, " {word}")?;
             numbers.iter().try_for_each(|&number| write_number(out, number))?;
         }
-        writeln!(out, " }}")
+        writeln!(out, "{} }}", self.texture)
     }
+}
+
+/// What a shader says about its picture.
+fn texture_words(texture: &Texture) -> String {
+    let mut words = format!(" texture \"{}\"", sayable_text(&texture.name));
+    words.extend(texture.cut_out.map(|cut_out| format!(" cutout {}", cut_out.threshold)));
+    if let Some(key) = texture.key {
+        words += " key";
+        words.extend(key.map(|level| format!(" {}", f64::from(level) / 255.0)));
+    }
+    // As the reader assumes where nothing is said.
+    let assumed = if texture.cut_out.is_some() { Wrap::Clamp } else { Wrap::Repeat };
+    if texture.wrap != assumed {
+        words += if texture.wrap == Wrap::Clamp { " wrap clamp" } else { " wrap repeat" };
+    }
+    words
 }
 
 /// The nearest material that a shader can say.

@@ -166,7 +166,7 @@ fn bits(scene: &Scene, id: ObjectId) -> [u64; 12] {
 }
 
 /// `name` without what cannot stand between quotes, or would not be safe to print.
-fn sayable(name: &str) -> String {
+pub(super) fn sayable(name: &str) -> String {
     printable(name.as_bytes()).replace(['"', '#'], "_")
 }
 

@@ -1,0 +1,75 @@
+//! Wear: pictures on surfaces, and the coordinates that polygons carry for them.
+//!
+//! Scene, Plan -WEAR-> shader's textures; mesh -> u, v at the corners -> clip, project
+//!
+//! Only where the plan says that some surface has a picture: else nothing carries anything, and nothing is made ready.
+//!
+//! Space: texture space, v upward. Cost: means of a picture once, not once a frame.
+
+use super::Part;
+use super::clip::ClipVertex;
+use super::hand::Corners;
+use super::light::{FACTOR, LIGHT};
+use crate::color::Encoding;
+use crate::plan::{Choices, Plan};
+use crate::scene::{Scene, Surface};
+use crate::screen::Shader;
+use crate::screen::shader::{Picture, Textures};
+
+/// Which pictures are ready, and whether polygons carry coordinates.
+pub(super) struct Wardrobe {
+    needed: bool,
+    encoding: Encoding,
+    threshold: Option<f64>,
+    /// Of each texture of the scene: its index in the shader, once a surface wears it.
+    ready: Vec<Option<u32>>,
+    /// The last frame's.
+    before: Textures,
+}
+
+impl Wardrobe {
+    /// `before` are the textures of the last frame.
+    pub fn new(plan: &Plan, before: Textures) -> Wardrobe {
+        let Choices { encoding, alpha_threshold: threshold, .. } = plan.choices;
+        Wardrobe { needed: plan.needs.texture, encoding, threshold, ready: Vec::new(), before }
+    }
+
+    /// Gives the shader an empty list of textures.
+    pub fn prepare(&mut self, scene: &Scene, plan: &Plan, shader: &mut Shader) {
+        if !self.needed {
+            return;
+        }
+        let Choices { texture_filter, alpha, samples, .. } = plan.choices;
+        self.ready.resize(scene.textures.len(), None);
+        shader.textures = Textures::new(texture_filter, alpha, samples);
+    }
+
+    /// The index in the shader of the picture that `surface` wears.
+    pub fn picture(&mut self, scene: &Scene, surface: &Surface, shader: &mut Shader) -> Option<u32> {
+        let (id, texture) = scene.picture_on(surface).filter(|_| self.needed)?;
+        let ready = &mut self.ready[id.0 as usize];
+        if ready.is_none() {
+            let own = texture.cut_out.map(|cut_out| self.threshold.unwrap_or(cut_out.threshold) as f32);
+            let (name, texels, wrap) = (texture.name.as_str(), &texture.texels, texture.wrap);
+            let picture = Picture { name, texels, encoding: self.encoding, threshold: own, wrap };
+            *ready = Some(shader.textures.push(&picture, &self.before));
+        }
+        *ready
+    }
+}
+
+/// Writes u and v behind the light of the corners, and tells how many numbers clipping must carry along.
+pub(super) fn dress(part: Part<'_>, corners: &mut Corners) -> usize {
+    if part.surface.primitives.is_empty() {
+        for (vertex, &index) in corners.clip.iter_mut().zip(&corners.outline) {
+            let place = part.mesh.texture.get(index as usize).copied().unwrap_or_default();
+            vertex.attributes[LIGHT..FACTOR].copy_from_slice(&[place.x, place.y]);
+        }
+    }
+    FACTOR
+}
+
+/// u and v of a vertex.
+pub(super) fn place_of(vertex: &ClipVertex) -> [f64; 2] {
+    [vertex.attributes[LIGHT], vertex.attributes[LIGHT + 1]]
+}

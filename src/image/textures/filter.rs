@@ -1,0 +1,275 @@
+//! Filter: what a picture shows at one place, seen at one size.
+//!
+//! Pyramid, (u, v), level of detail -> SAMPLE -> light and alpha
+//!
+//! Everything is a function of its arguments alone, in single precision and in a fixed order of operations: who asks first and in
+//! which tile must not matter.
+//!
+//! Cost: 4 texels bilinear, 8 trilinear.
+
+use super::mips::{Level, Pyramid};
+use crate::color::Rgb;
+
+/// How texels become a value between them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Filter {
+    /// The texel that the place is in, of the picture itself.
+    Nearest,
+    /// Linear between the four around it, of the picture itself.
+    Bilinear,
+    /// Bilinear in the two levels around the size, linear between them.
+    Trilinear,
+}
+
+/// How a picture goes on beyond its edges.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Wrap {
+    /// It begins again.
+    #[default]
+    Repeat,
+    /// Its outermost texels go on.
+    Clamp,
+}
+
+/// What a lookup finds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// Linear light, not multiplied by alpha.
+    pub color: Rgb<f32>,
+    /// 1 is there, 0 is not.
+    pub alpha: f32,
+}
+
+/// The texels around a place, and their weights.
+pub(super) struct Taps {
+    indices: [usize; 4],
+    weights: [f32; 4],
+}
+
+impl Wrap {
+    /// A column or row, wherever it lies, as one of `count`.
+    #[inline]
+    pub(super) fn index(self, index: i64, count: usize) -> usize {
+        match self {
+            // Nearly all are inside already.
+            _ if (0..count as i64).contains(&index) => index as usize,
+            Wrap::Repeat => index.rem_euclid(count as i64) as usize,
+            Wrap::Clamp => index.clamp(0, count as i64 - 1) as usize,
+        }
+    }
+
+    /// A coordinate, wherever it lies, as one from 0 to 1.
+    #[inline]
+    fn coordinate(self, along: f64) -> f32 {
+        (match self {
+            Wrap::Repeat => along - along.floor(),
+            Wrap::Clamp => along.clamp(0.0, 1.0),
+        }) as f32
+    }
+}
+
+impl Taps {
+    /// The four texels around (u, v) in a picture of `size`.
+    #[inline]
+    pub fn bilinear([u, v]: [f64; 2], (width, height): (u32, u32), wrap: Wrap) -> Taps {
+        let (x, y) = (wrap.coordinate(u) * width as f32 - 0.5, wrap.coordinate(v) * height as f32 - 0.5);
+        let (left, low) = (x.floor(), y.floor());
+        let (fx, fy) = (x - left, y - low);
+        let columns = [left as i64, left as i64 + 1].map(|column| wrap.index(column, width as usize));
+        let rows = [low as i64, low as i64 + 1].map(|row| wrap.index(row, height as usize) * width as usize);
+        Taps {
+            indices: [rows[0] + columns[0], rows[0] + columns[1], rows[1] + columns[0], rows[1] + columns[1]],
+            weights: [(1.0 - fx) * (1.0 - fy), fx * (1.0 - fy), (1.0 - fx) * fy, fx * fy],
+        }
+    }
+
+    /// The texel that (u, v) is in.
+    #[inline]
+    fn nearest([u, v]: [f64; 2], (width, height): (u32, u32), wrap: Wrap) -> Taps {
+        let column = (wrap.coordinate(u) * width as f32).min(width as f32 - 1.0) as usize;
+        let row = (wrap.coordinate(v) * height as f32).min(height as f32 - 1.0) as usize;
+        Taps { indices: [row * width as usize + column; 4], weights: [1.0, 0.0, 0.0, 0.0] }
+    }
+
+    /// The weighted sum of what is `at` each texel.
+    #[inline]
+    pub fn sum(&self, at: impl Fn(usize) -> f32) -> f32 {
+        let [a, b, c, d] = self.indices.map(at);
+        let [wa, wb, wc, wd] = self.weights;
+        (a * wa + b * wb) + (c * wc + d * wd)
+    }
+}
+
+impl Pyramid {
+    /// What the picture shows at (u, v) to a sample 2^`level` texels wide.
+    #[must_use]
+    pub fn sample(&self, place: [f64; 2], level: f32, filter: Filter) -> Sample {
+        let (first, second) = self.taps(place, level, filter);
+        let alpha = mixed(&first, second.as_ref(), alpha_at);
+        let channel = |channel: usize| {
+            mixed(&first, second.as_ref(), |level, index| {
+                let light = self.light[usize::from(level.rgba[index][channel])];
+                if self.weighed { light * alpha_at(level, index) } else { light }
+            })
+        };
+        let light = Rgb::new(channel(0), channel(1), channel(2));
+        let color = match (self.weighed, alpha > 0.0) {
+            (false, _) => light,
+            // Both in 255ths.
+            (true, true) => light.map(|channel| channel / alpha),
+            (true, false) => Rgb::gray(0.0),
+        };
+        Sample { color, alpha: alpha / 255.0 }
+    }
+
+    /// The alpha of [`Pyramid::sample`] alone, to the last bit.
+    #[must_use]
+    pub fn alpha(&self, place: [f64; 2], level: f32, filter: Filter) -> f32 {
+        let (first, second) = self.taps(place, level, filter);
+        mixed(&first, second.as_ref(), alpha_at) / 255.0
+    }
+
+    /// Texels of one level, or of two, the second with its share.
+    #[inline]
+    fn taps(&self, place: [f64; 2], level: f32, filter: Filter) -> (Tapped<'_>, Option<(Tapped<'_>, f32)>) {
+        let last = self.levels.len() - 1;
+        let of = |index: usize| {
+            let level = &self.levels[index];
+            let size = (level.width, level.height);
+            (
+                level,
+                if filter == Filter::Nearest {
+                    Taps::nearest(place, size, self.wrap)
+                } else {
+                    Taps::bilinear(place, size, self.wrap)
+                },
+            )
+        };
+        if filter != Filter::Trilinear || level <= 0.0 {
+            return (of(0), None);
+        }
+        let level = level.min(last as f32);
+        let below = level as usize;
+        let share = level - below as f32;
+        (of(below), (share > 0.0).then(|| (of(below + 1), share)))
+    }
+}
+
+/// Alpha of a texel in 255ths: one division a lookup is enough.
+#[inline]
+fn alpha_at(level: &Level, index: usize) -> f32 {
+    f32::from(level.rgba[index][3])
+}
+
+type Tapped<'a> = (&'a Level, Taps);
+
+/// A value from one level, or between those of two.
+#[inline]
+fn mixed((level, taps): &Tapped<'_>, second: Option<&(Tapped<'_>, f32)>, value: impl Fn(&Level, usize) -> f32) -> f32 {
+    let first = taps.sum(|index| value(level, index));
+    match second {
+        None => first,
+        Some(((level, taps), share)) => first * (1.0 - share) + taps.sum(|index| value(level, index)) * share,
+    }
+}
+
+/// The level at which a sample is one texel wide: log2 of its width in texels of level 0.
+///
+/// `slopes`: change of (u, v) to the next sample on the right, and to the next below; the longer of the two counts.
+/// The logarithm is linear between powers of two: at most 0.043 levels off, continuous, and the same on every machine.
+#[must_use]
+#[inline]
+pub fn level_of_detail(slopes: [[f32; 2]; 2], (width, height): (u32, u32)) -> f32 {
+    let squared = slopes.map(|[du, dv]| {
+        let (x, y) = (du * width as f32, dv * height as f32);
+        x * x + y * y
+    });
+    let longest = squared[0].max(squared[1]);
+    // Nothing varies, or nothing is known: the picture itself. Negation catches not-a-number.
+    if !(longest > f32::MIN_POSITIVE) {
+        return 0.0;
+    }
+    // The bits of a float are its logarithm, nearly.
+    let log2 = (longest.to_bits() as i32 - 1.0_f32.to_bits() as i32) as f32 / (1 << 23) as f32;
+    0.5 * log2
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::color::Encoding;
+    use crate::image::textures::{Alpha, FirstRow, Texels};
+
+    fn gray(width: u32, height: u32, levels: &[u8], wrap: Wrap) -> Pyramid {
+        let rgba = levels.iter().map(|&level| [level, level, level, 255]).collect();
+        let texels = Texels::new(width, height, rgba, FirstRow::AtV0).expect("a picture");
+        Pyramid::new(&texels, Encoding::Linear, Alpha::Ignored, wrap)
+    }
+
+    /// The level in 255ths.
+    fn look(pyramid: &Pyramid, u: f64, v: f64, level: f32, filter: Filter) -> f32 {
+        pyramid.sample([u, v], level, filter).color.r * 255.0
+    }
+
+    #[test]
+    fn centers_of_texels_show_the_texel_itself() {
+        let levels: Vec<u8> = (0..32).map(|index| index * 8 + 3).collect();
+        for wrap in [Wrap::Repeat, Wrap::Clamp] {
+            let pyramid = gray(8, 4, &levels, wrap);
+            for (index, &level) in levels.iter().enumerate() {
+                let (u, v) = ((index % 8) as f64 / 8.0 + 0.0625, (index / 8) as f64 / 4.0 + 0.125);
+                for filter in [Filter::Nearest, Filter::Bilinear, Filter::Trilinear] {
+                    let light = f32::from(level) / 255.0;
+                    assert_eq!(pyramid.sample([u, v], 0.0, filter), Sample { color: Rgb::gray(light), alpha: 1.0 });
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn between_texels_and_levels_values_run_linearly() {
+        let pyramid = gray(4, 1, &[0, 40, 80, 120], Wrap::Clamp);
+        assert!((look(&pyramid, 0.25, 0.5, 0.0, Filter::Bilinear) - 20.0).abs() < 1e-4);
+        assert!((look(&pyramid, 0.1875, 0.3, 0.0, Filter::Bilinear) - 10.0).abs() < 1e-4);
+        assert_eq!(look(&pyramid, 0.2499, 0.5, 9.0, Filter::Nearest), 0.0);
+        // Levels by hand: 20 and 100, then 60.
+        assert!((look(&pyramid, 0.25, 0.5, 1.0, Filter::Trilinear) - 20.0).abs() < 1e-4);
+        assert!((look(&pyramid, 0.25, 0.5, 2.0, Filter::Trilinear) - 60.0).abs() < 1e-4);
+        assert!((look(&pyramid, 0.25, 0.5, 1.5, Filter::Trilinear) - 40.0).abs() < 1e-4);
+        assert!((look(&pyramid, 0.9, 0.5, 77.0, Filter::Trilinear) - 60.0).abs() < 1e-4);
+    }
+
+    #[test]
+    fn beyond_the_edges() {
+        let (repeat, clamp) = (gray(2, 1, &[10, 90], Wrap::Repeat), gray(2, 1, &[10, 90], Wrap::Clamp));
+        for (u, repeated, clamped) in
+            [(1.25, 10.0, 90.0), (-0.25, 90.0, 10.0), (-7.75, 10.0, 10.0), (1e9 + 0.25, 10.0, 90.0)]
+        {
+            assert!((look(&repeat, u, 0.5, 0.0, Filter::Bilinear) - repeated).abs() < 1e-4, "{u}");
+            assert!((look(&clamp, u, 0.5, 0.0, Filter::Nearest) - clamped).abs() < 1e-4, "{u}");
+        }
+        // At the seam the first and the last meet.
+        assert!((look(&repeat, 0.0, 0.5, 0.0, Filter::Bilinear) - 50.0).abs() < 1e-4);
+        for place in [f64::NAN, f64::INFINITY, -1e300] {
+            let _ = look(&repeat, place, place, f32::NAN, Filter::Trilinear);
+            let _ = look(&clamp, place, place, f32::INFINITY, Filter::Nearest);
+        }
+    }
+
+    #[test]
+    fn the_level_is_the_width_of_a_sample_in_texels() {
+        let of = |slopes| level_of_detail(slopes, (64, 32));
+        let texel = [1.0 / 64.0, 1.0 / 32.0];
+        assert_eq!(of([[texel[0], 0.0], [0.0, texel[1]]]), 0.0);
+        assert_eq!(of([[8.0 * texel[0], 0.0], [0.0, texel[1]]]), 3.0);
+        assert_eq!(of([[0.0, 0.0], [0.0, 2.0 * texel[1]]]), 1.0);
+        assert_eq!(of([[0.25 * texel[0], 0.0], [0.0, 0.0]]), -2.0);
+        assert_eq!(of([[0.0; 2]; 2]), 0.0);
+        assert_eq!(of([[f32::NAN; 2]; 2]), 0.0);
+        for step in 1..400 {
+            let width = 0.01 * step as f32;
+            let error = of([[width * texel[0], 0.0], [0.0; 2]]) - width.log2();
+            assert!((-0.044..1e-5).contains(&error), "{width}: {error}");
+        }
+    }
+}
