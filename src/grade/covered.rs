@@ -6,7 +6,7 @@
 //! Cost: a few operations an edge and sample.
 
 use super::quarters;
-use super::rules::{Bounds, BoundsBy, Fill, Pieces, Rounding, Rules, Slack, Ties, Winding};
+use super::rules::{BlockEnd, BlockStart, Blocks, Bounds, BoundsBy, Fill, Pieces, Rounding, Rules, Slack, Ties, Winding};
 use super::scan;
 use crate::math::edges;
 
@@ -183,22 +183,10 @@ fn window((low, high): (Point, Point), bounds: Bounds, size: (i32, i32)) -> [i32
         BoundsBy::Centers => (whole((low - 0.5).ceil()), whole((high - 0.5).ceil()) - 1),
         BoundsBy::Inner => (whole(low.ceil()), whole(high.floor()) - 1),
         BoundsBy::Rounded => (whole((low + 0.5).floor()), whole((high + 0.5).floor()) - 1),
-        BoundsBy::WholeBlocks(side) | BoundsBy::WholeBlocksAcross(side) => {
-            let (first, last) = (whole(low.floor()), whole(high.floor()).min(size - 1));
-            (first, first + (last - first + 1).div_euclid(side) * side - 1)
-        }
-        BoundsBy::BlocksOfCenters(side) | BoundsBy::CenterBlocksAcross(side) => {
-            let (first, end) = (whole((low - 0.5).ceil()), whole((high - 0.5).ceil()));
-            (first, first + (end - first).div_euclid(side) * side - 1)
-        }
-        BoundsBy::WholeBlocksOfPicture(side) => {
-            let (first, end) = (whole(low.floor()), whole(high.floor()).min(size - 1) + 1);
-            ((first + side - 1).div_euclid(side) * side, end.div_euclid(side) * side - 1)
-        }
+        BoundsBy::Blocks(blocks) => in_blocks(blocks, (low, high), size),
     };
     let down = match bounds.by {
-        BoundsBy::WholeBlocksAcross(_) => BoundsBy::Floor,
-        BoundsBy::CenterBlocksAcross(_) => BoundsBy::Centers,
+        BoundsBy::Blocks(Blocks { across_only: true, .. }) => BoundsBy::Clipped,
         by => by,
     };
     let (left, right) = range(bounds.by, low.0, high.0, size.0);
@@ -211,6 +199,23 @@ fn window((low, high): (Point, Point), bounds: Bounds, size: (i32, i32)) -> [i32
     } else {
         [left + of_left, right - of_right, top + of_top, bottom - of_bottom]
     }
+}
+
+/// First and last sample of the whole blocks between two coordinates.
+fn in_blocks(blocks: Blocks, (low, high): (f64, f64), size: i32) -> (i32, i32) {
+    let (side, floor) = (blocks.side, low.floor() as i32);
+    let first = match blocks.start {
+        BlockStart::Floor => floor,
+        BlockStart::Center => (low - 0.5).ceil() as i32,
+        BlockStart::BlockBefore => floor.div_euclid(side) * side,
+        BlockStart::BlockBehind => (floor + side - 1).div_euclid(side) * side,
+    };
+    let end = match blocks.end {
+        BlockEnd::Floor => high.floor() as i32 + 1,
+        BlockEnd::Ceil => high.ceil() as i32,
+        BlockEnd::Center => (high - 0.5).ceil() as i32,
+    };
+    (first, first + (end.min(size) - first).div_euclid(side) * side - 1)
 }
 
 fn twice_area(corners: &[Point]) -> f64 {

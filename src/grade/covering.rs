@@ -34,6 +34,18 @@ impl Covering {
         covering
     }
 
+    /// Whether the samples of all faces are the contract's.
+    pub fn is_of_contract(rules: &Rules) -> bool {
+        let right = Rules::default();
+        let Rules { shape, stencil, listed, bounds, winding, .. } = right;
+        rules.fill == right.fill
+            && (rules.cover_at, rules.corners, rules.ties) == (right.cover_at, right.corners, right.ties)
+            && (rules.shape, rules.stencil, rules.listed) == (shape, stencil, listed)
+            && (rules.bounds, rules.winding, rules.pieces) == (bounds, winding, right.pieces)
+            && rules.least_area == right.least_area
+            && !rules.block.of_cover
+    }
+
     /// The faces over a sample, in list order.
     pub fn at(&self, (x, y): (i32, i32)) -> impl Iterator<Item = usize> + '_ {
         let at = y as usize * self.width + x as usize;

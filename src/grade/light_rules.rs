@@ -342,6 +342,8 @@ pub enum Lamps {
     Brightest,
     /// All, with ambient light for each.
     AmbientEach,
+    /// Each fades with what was added before it.
+    FadeTogether,
     /// All, as if they were white.
     White,
     /// All, their highlights white.

@@ -156,7 +156,7 @@ fn term(lamp: &Lamp, rule: &LightRules, position: Vec3, (n, eye): (Vec3, Vec3)) 
         Gate::Reversed => gate <= 0.0,
     };
     let base = base(rule.highlight, mirrored, (n, l, v));
-    let fading = faded(rule.fading, (position - eye).length());
+    let fading = if rule.lamps == Lamps::FadeTogether { 1.0 } else { faded(rule.fading, (position - eye).length()) };
     let diffuse = if rule.cosine == Cosine::Uncut { changed } else { changed.max(0.0) };
     let is_raised = matches!(rule.power, Power::OnDiffuse | Power::OnBoth);
     let diffuse = if is_raised { raised(diffuse, lamp.shine, Cut::AtZero) } else { diffuse };
@@ -282,6 +282,10 @@ fn sent(lamp: &Lamp, rule: &LightRules, normal: Vec3, eye: Vec3) -> Light {
             } else if number == 0 || more + shine > matte[channel] + shiny[channel] {
                 (matte[channel], shiny[channel]) = (more, shine);
             }
+        }
+        if rule.lamps == Lamps::FadeTogether && term.cosine > 0.0 {
+            let fading = faded(rule.fading, (position - eye).length());
+            (matte, shiny) = (matte.map(|light| light * fading), shiny.map(|light| light * fading));
         }
     }
     let ambients = if rule.lamps == Lamps::AmbientEach { count as f64 } else { 1.0 };

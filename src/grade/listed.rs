@@ -125,6 +125,12 @@ pub enum Blending {
     AtOnceUntested,
     /// Also what is behind the opaque face.
     Everywhere,
+    /// The same, in the order of the list turned round.
+    EverywhereTurned,
+    /// The same, the farthest first.
+    EverywhereSorted,
+    /// The farthest first, what is nearer than what is kept in the end.
+    AtEnd,
     /// What is farther than the opaque face, the nearest first.
     Turned,
 }

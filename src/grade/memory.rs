@@ -40,11 +40,13 @@ pub(super) fn paint(
     (empty, color): (Sample, Color<'_>),
 ) -> Vec<Sample> {
     let (size, side) = ((case.width as i32, case.height as i32), case.samples as i32);
-    let Memory { depth_at, color_at } = rules.memory;
+    let Memory { depth_at, color_at, walk } = rules.memory;
     let mut depths: BTreeMap<i32, f64> = BTreeMap::new();
     let mut shown = vec![empty; (case.width * case.height) as usize];
     let is_glass = |index: usize| case.faces[index].opacity < 1.0 && rules.blending != Blending::Ignored;
     for (index, samples) in covering.faces().filter(|face| !is_glass(face.0)) {
+        let mut samples: Vec<_> = samples.collect();
+        walk.sort(&case.faces[index], &mut samples);
         for sample in samples {
             let own = depth(&case.faces[index], rules, (sample, case.samples)).min(rules.capped);
             let place = depth_at.of(sample, size, side);

@@ -68,8 +68,17 @@ pub(super) struct Sample {
 /// Draws `case` under `rules`.
 #[must_use]
 pub fn paint(case: &Case, rules: &Rules) -> Painted {
+    painted(case, rules, None)
+}
+
+/// The same, where `contract` is what the contract covers in it: most mistakes cover no other samples.
+pub(super) fn paint_known(case: &Case, rules: &Rules, contract: &Covering) -> Painted {
+    painted(case, rules, Some(contract).filter(|_| Covering::is_of_contract(rules)))
+}
+
+fn painted(case: &Case, rules: &Rules, known: Option<&Covering>) -> Painted {
     let case = &*shape::seen(case, rules);
-    let mut samples = if case.lines { paint_lines(case, rules) } else { paint_samples(case, rules) };
+    let mut samples = if case.lines { paint_lines(case, rules) } else { paint_samples(case, rules, known) };
     let size = (case.width as usize, case.height as usize);
     place::keep_inside_border(&mut samples, size, rules.border, empty(case, rules));
     let samples = place::placed(&samples, size, rules.place, empty(case, rules));
@@ -115,16 +124,17 @@ fn paint_lines(case: &Case, rules: &Rules) -> Vec<Sample> {
     samples
 }
 
-fn paint_samples(case: &Case, rules: &Rules) -> Vec<Sample> {
+fn paint_samples(case: &Case, rules: &Rules, known: Option<&Covering>) -> Vec<Sample> {
     let corner_values: Vec<_> = case.faces.iter().map(|face| Corners::of(face, rules)).collect();
     let right_places = rules.sample_at == SampleAt::Own || case.samples < 2;
     if !right_places {
         return paint_elsewhere(case, rules, &corner_values);
     }
-    let covering = Covering::of(case, rules);
+    let own = known.is_none().then(|| Covering::of(case, rules));
+    let Some(covering) = known.or(own.as_ref()) else { return Vec::new() };
     let color = |index: usize, sample: (i32, i32)| shown_color(case, index, &corner_values[index], rules, sample);
     if rules.memory != Memory::RIGHT {
-        return memory::paint(case, rules, &covering, (empty(case, rules), &color));
+        return memory::paint(case, rules, covering, (empty(case, rules), &color));
     }
     let mut samples = Vec::new();
     for y in 0..case.height as i32 {

@@ -149,11 +149,44 @@ pub struct Memory {
     pub depth_at: Address,
     /// Color; it is read at its own place.
     pub color_at: Address,
+    /// The order in which samples of a polygon are drawn.
+    pub walk: Walk,
+}
+
+/// The order in which samples of a polygon are drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Walk {
+    /// Row by row.
+    Rows,
+    /// Column by column.
+    Columns,
+    /// Block by block of the picture.
+    Blocks(i32),
+    /// Block by block from the polygon's bounds on.
+    BlocksOfBounds(i32),
+}
+
+impl Walk {
+    /// Sorts a polygon's samples.
+    pub(super) fn sort(self, face: &Face, samples: &mut [(i32, i32)]) {
+        let block = |size: i32, from_bounds: bool| Block { size: (size, size), from_bounds, ..Block::ONE };
+        match self {
+            Walk::Rows => {}
+            Walk::Columns => samples.sort_unstable(),
+            Walk::Blocks(size) | Walk::BlocksOfBounds(size) => {
+                let block = block(size, matches!(self, Walk::BlocksOfBounds(_)));
+                samples.sort_by_key(|&(x, y)| {
+                    let (left, top) = block.of(face, (x, y));
+                    (top, left, y, x)
+                });
+            }
+        }
+    }
 }
 
 impl Memory {
     /// Each at its own place.
-    pub const RIGHT: Memory = Memory { depth_at: Address::Own, color_at: Address::Own };
+    pub const RIGHT: Memory = Memory { depth_at: Address::Own, color_at: Address::Own, walk: Walk::Rows };
 }
 
 /// The address of a sample.

@@ -9,9 +9,10 @@ use super::lines::rule::Lines;
 pub use super::listed::{Blending, Levels};
 use super::listed::{Listed, Tone};
 pub use super::pixel_rules::{Count, Part, PixelFrom, SampleAt};
-pub use super::program_rules::{Address, Block, DepthPoint, Kept, Memory, Shape, Slack, Stencil, Turned};
+pub use super::program_rules::{Address, Block, DepthPoint, Kept, Memory, Shape, Slack, Stencil, Turned, Walk};
 use super::runs::RunRule;
 use super::scan::Scan;
+pub use super::summed::Summed;
 
 /// Everything a picture is decided by.
 #[derive(Clone, Debug, PartialEq)]
@@ -338,16 +339,45 @@ pub enum BoundsBy {
     Inner,
     /// From round(least) to round(greatest), without that.
     Rounded,
-    /// From floor(least) to floor(greatest), as many whole blocks of so many samples as there are in it.
-    WholeBlocks(i32),
-    /// The whole blocks of the picture that lie in it.
-    WholeBlocksOfPicture(i32),
-    /// As [`BoundsBy::WholeBlocks`], in columns alone.
-    WholeBlocksAcross(i32),
-    /// As [`BoundsBy::BlocksOfCenters`], in columns alone.
-    CenterBlocksAcross(i32),
-    /// From the first to the last center, as many whole blocks as there are in it.
-    BlocksOfCenters(i32),
+    /// As many whole blocks as there are.
+    Blocks(Blocks),
+}
+
+/// Bounds that are walked in whole blocks of samples.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Blocks {
+    /// Samples a side.
+    pub side: i32,
+    /// Rows are not walked in blocks.
+    pub across_only: bool,
+    /// Where they begin.
+    pub start: BlockStart,
+    /// Where the bounds end.
+    pub end: BlockEnd,
+}
+
+/// Where whole blocks begin.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BlockStart {
+    /// At floor(least).
+    Floor,
+    /// At the first center.
+    Center,
+    /// At the block of the picture that floor(least) is in.
+    BlockBefore,
+    /// At the next block of the picture.
+    BlockBehind,
+}
+
+/// Where bounds end, that sample not included.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BlockEnd {
+    /// At floor(greatest) + 1.
+    Floor,
+    /// At ceil(greatest).
+    Ceil,
+    /// Behind the last center.
+    Center,
 }
 
 /// Which part of the picture is never drawn.
@@ -448,6 +478,8 @@ pub enum DepthFrom {
     DistanceSteps(f64),
     /// w times this, as a text.
     AsText(f64),
+    /// 1/w added up along a span.
+    Summed(Summed),
     /// Along edges, then along rows.
     Runs(RunRule),
 }
@@ -499,6 +531,10 @@ pub enum Interpolation {
     Closest,
     /// Along edges, then along rows.
     Runs(RunRule),
+    /// The value, added up along a span.
+    Summed(Summed),
+    /// Value / w, added up along a span, divided by 1/w.
+    SummedOverW(Summed),
 }
 
 /// What value / w is divided by instead of the sample's 1/w.

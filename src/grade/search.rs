@@ -5,9 +5,11 @@
 use super::diagnose::Fault;
 use super::labs::Lab;
 use super::mutants::{self, Mutant};
-use super::paint::paint;
+use super::covering::Covering;
+use super::paint::{paint, paint_known};
 use super::rules::Rules;
 use super::verdict::{AspectVerdict, Shot, wrong};
+use crate::image::Picture;
 use std::cell::RefCell;
 
 /// Mistakes behind which there is nothing to be graded yet: what follows from them earns nothing.
@@ -16,47 +18,37 @@ pub(super) const UNFORGIVEN: [&str; 2] = ["nothing drawn", "corners only"];
 pub(super) const MARGIN: f64 = 0.05;
 /// The same for a mistake that leaves nothing.
 const MARGIN_OF_ALL: f64 = 0.01;
-/// Names that are tried as the first of two mistakes, and pairs that are compared on everything.
-const FIRST_OF_PAIR: usize = 8;
-const MOST_PAIRS: usize = 60;
-/// Aspects that two mistakes at once are tried for: it is what costs most, and seldom helps where it did not before.
-const MOST_PAIR_SEARCHES: usize = 2;
 /// More mistakes in one rasterizer are not told apart.
 const MOST_FAULTS: usize = 5;
+/// Part of the wrong pixels of an aspect that a later mistake explains at least: less than that is a rest of what was named before.
+const SHARE_OF_LATER: f64 = 0.25;
 /// Aspects that a mistake must explain whole to stand beside what nothing explains.
 const WHOLE_ASPECTS: usize = 2;
 
 /// Pixels of all pictures that are not as the rules say.
 pub(super) fn mismatches(shots: &[Shot], rules: &Rules) -> usize {
-    mismatches_up_to(shots, rules, usize::MAX)
+    let of = |shot: &Shot| shot.picture().map_or(0, |picture| wrong(picture, &paint(&shot.case, rules)).len());
+    shots.iter().map(of).sum()
 }
 
-/// The same; counting ends above `most`.
-fn mismatches_up_to(shots: &[Shot], rules: &Rules, most: usize) -> usize {
-    let mut sum = 0;
-    for shot in shots {
-        sum += shot.picture().map_or(0, |picture| wrong(picture, &paint(&shot.case, rules)).len());
-        if sum > most {
-            break;
-        }
-    }
-    sum
+fn of_contract(shot: &Shot) -> Covering {
+    Covering::of(&shot.case, &Rules::default())
 }
 
-fn margin(total: usize) -> usize {
+pub(super) fn margin(total: usize) -> usize {
     ((total as f64 * MARGIN).ceil() as usize).max(1)
 }
 
 /// Mismatches that a mistake may leave and still be named.
-fn most_left(total: usize) -> usize {
+pub(super) fn most_left(total: usize) -> usize {
     (total as f64 * MARGIN) as usize
 }
 
 /// How well one mutant does: mismatches left in what is in question.
 #[derive(Clone, Copy)]
-struct Score {
-    mutant: usize,
-    here: usize,
+pub(super) struct Score {
+    pub mutant: usize,
+    pub here: usize,
 }
 
 /// An aspect that no mistake explains.
@@ -70,17 +62,23 @@ pub(super) struct GivenUp {
 
 /// The mistakes found so far.
 pub(super) struct Search<'a> {
-    aspects: &'a [AspectVerdict],
-    mutants: Vec<Mutant>,
+    pub(super) aspects: &'a [AspectVerdict],
+    pub(super) mutants: Vec<Mutant>,
+    /// What the contract covers, of every shot of every aspect.
+    covering: Vec<Vec<Covering>>,
+    /// Wrong pixels of every aspect by the contract.
+    wrong: Vec<usize>,
     /// The contract with all mistakes named so far.
     pub rules: Rules,
     pub faults: Vec<Fault>,
     pub given_up: Vec<GivenUp>,
     /// Mismatches left in every aspect under the rules.
-    left: Vec<usize>,
+    pub(super) left: Vec<usize>,
     /// The same under each mutant, as far as they were asked for; as long as the rules stay.
-    table: RefCell<Vec<Vec<Option<usize>>>>,
-    pair_searches: usize,
+    pub(super) table: RefCell<Vec<Vec<Option<usize>>>>,
+    pub(super) pair_searches: usize,
+    /// What goes along with mistakes was tried.
+    pub(super) is_accompanied: bool,
     /// Nothing more is named: only what is closest is looked for.
     is_closed: bool,
 }
@@ -92,15 +90,19 @@ impl<'a> Search<'a> {
         let mut search = Search {
             aspects,
             mutants,
+            covering: aspects.iter().map(|aspect| aspect.shots.iter().map(of_contract).collect()).collect(),
+            wrong: Vec::new(),
             rules: Rules::default(),
             faults: Vec::new(),
             given_up: Vec::new(),
             left: Vec::new(),
             table: RefCell::default(),
             pair_searches: 0,
+            is_accompanied: false,
             is_closed: false,
         };
         search.begin_round(Rules::default());
+        search.wrong.clone_from(&search.left);
         search
     }
 
@@ -125,7 +127,7 @@ impl<'a> Search<'a> {
     }
 
     fn begin_round(&mut self, rules: Rules) {
-        self.left = self.aspects.iter().map(|aspect| mismatches(&aspect.shots, &rules)).collect();
+        self.left = (0..self.aspects.len()).map(|aspect| self.mismatches(aspect, &rules, usize::MAX).unwrap_or(0)).collect();
         self.table = RefCell::new(vec![vec![None; self.aspects.len()]; self.mutants.len()]);
         self.rules = rules;
     }
@@ -158,9 +160,12 @@ impl<'a> Search<'a> {
         let all: usize = self.left.iter().sum();
         let (found, total) = match self.for_everything(all) {
             Some(found) => (Some(found), all),
-            None => (self.for_aspect(first).or_else(|| self.of_pair(first)), self.left[first]),
+            None => match self.for_everything_accompanied(all) {
+                Some(found) => (Some(found), all),
+                None => (self.for_aspect(first).or_else(|| self.of_pair(first)), self.left[first]),
+            },
         };
-        match found {
+        match found.filter(|found| self.is_no_rest(found)) {
             Some(score) => self.name(score, total),
             None => self.give_up(first),
         }
@@ -168,11 +173,18 @@ impl<'a> Search<'a> {
     }
 
     fn give_up(&mut self, aspect: usize) {
-        let scores = self.ranked(aspect, usize::MAX);
-        let best = |score: &Score| (self.mutants[score.mutant].name, score.here);
-        let closest = scores.first().map_or(("none", self.left[aspect]), best);
-        let next = scores.iter().find(|score| self.mutants[score.mutant].name != closest.0);
-        let best = [closest, next.map_or(("none", self.left[aspect]), best)];
+        let none = ("none", self.left[aspect]);
+        let mut best = [none, none];
+        for mutant in 0..self.mutants.len() {
+            // What is worse than the second best need not be counted to the end.
+            let Some(here) = self.cell(mutant, aspect, best[1].1) else { continue };
+            let name = self.mutants[mutant].name;
+            if here < best[0].1 || best[0].0 == "none" {
+                best = [(name, here), if best[0].0 == name { best[1] } else { best[0] }];
+            } else if name != best[0].0 && (here < best[1].1 || best[1].0 == "none") {
+                best[1] = (name, here);
+            }
+        }
         self.given_up.push(GivenUp { aspect, best, total: self.left[aspect] });
     }
 
@@ -185,6 +197,23 @@ impl<'a> Search<'a> {
         let gap = gap(&best, total);
         let is_rival = |score: &&Score| self.is_rival(best.mutant, score.mutant) && score.here < best.here + gap;
         (best.here <= most_left(total) && !scores.iter().any(|score| is_rival(&score))).then_some(best)
+    }
+
+    fn for_everything_accompanied(&mut self, total: usize) -> Option<Score> {
+        if self.is_accompanied {
+            return None;
+        }
+        self.accompany();
+        self.for_everything(total)
+    }
+
+    /// Whether a mistake is more than what an earlier one, painted not quite as the program does it, left over.
+    fn is_no_rest(&self, score: &Score) -> bool {
+        let is_much = |aspect: usize| {
+            let gained = self.left[aspect] - self.cell(score.mutant, aspect, self.left[aspect]).unwrap_or(self.left[aspect]);
+            gained > 0 && gained as f64 >= SHARE_OF_LATER * self.wrong[aspect] as f64
+        };
+        self.faults.is_empty() || (0..self.left.len()).any(is_much)
     }
 
     fn for_aspect(&self, aspect: usize) -> Option<Score> {
@@ -219,8 +248,21 @@ impl<'a> Search<'a> {
         best > other || shots.any(|shot| paint(&shot.case, &first) != paint(&shot.case, &second))
     }
 
+    /// Mismatches in one aspect under some rules, if at most so many.
+    pub(super) fn mismatches(&self, aspect: usize, rules: &Rules, most: usize) -> Option<usize> {
+        let mut sum = 0;
+        for (shot, covering) in self.aspects[aspect].shots.iter().zip(&self.covering[aspect]) {
+            let painted = |picture: &Picture| wrong(picture, &paint_known(&shot.case, rules, covering)).len();
+            sum += shot.picture().map_or(0, painted);
+            if sum > most {
+                return None;
+            }
+        }
+        Some(sum)
+    }
+
     /// Mutants that leave at most so much of an aspect, the best first.
-    fn ranked(&self, aspect: usize, most: usize) -> Vec<Score> {
+    pub(super) fn ranked(&self, aspect: usize, most: usize) -> Vec<Score> {
         let score = |mutant: usize| self.cell(mutant, aspect, most).map(|here| Score { mutant, here });
         let mut scores: Vec<Score> = (0..self.mutants.len()).filter_map(score).collect();
         scores.sort_by_key(|score| (score.here, score.mutant));
@@ -249,76 +291,14 @@ impl<'a> Search<'a> {
         let count = if rules == self.rules || self.is_old(&self.mutants[mutant]) {
             self.left[aspect]
         } else {
-            let count = mismatches_up_to(&self.aspects[aspect].shots, &rules, most);
-            if count > most {
-                return None;
-            }
-            count
+            self.mismatches(aspect, &rules, most)?
         };
         self.table.borrow_mut()[mutant][aspect] = Some(count);
         (count <= most).then_some(count)
     }
 
-    /// The first of two mistakes that together explain one aspect, as clearly as one must alone; tried with the best few.
-    fn of_pair(&mut self, aspect: usize) -> Option<Score> {
-        if self.pair_searches == MOST_PAIR_SEARCHES {
-            return None;
-        }
-        self.pair_searches += 1;
-        let shots = &self.aspects[aspect].shots;
-        let total = self.left[aspect];
-        let (margin, limit) = (margin(total), most_left(total) + margin(total));
-        let scores = self.ranked(aspect, usize::MAX);
-        let mut pairs = Vec::new();
-        for first in self.best_names(&scores) {
-            let rules = self.mutants[first].applied_to(&self.rules);
-            for second in (0..self.mutants.len()).filter(|&second| self.can_follow(first, second)) {
-                let both = self.mutants[second].applied_to(&rules);
-                pairs.push((mismatches_up_to(shots, &both, limit), first, second));
-            }
-        }
-        let least = pairs.iter().map(|pair| pair.0).min()?;
-        pairs.retain(|pair| pair.0 < least + margin);
-        if least > most_left(total) || pairs.len() > MOST_PAIRS {
-            return None;
-        }
-        // What the aspect cannot tell apart, all of them together may.
-        let everywhere = |&(_, first, second): &(usize, usize, usize)| {
-            let rules = self.mutants[second].applied_to(&self.mutants[first].applied_to(&self.rules));
-            let left = self.aspects.iter().map(|aspect| mismatches(&aspect.shots, &rules)).sum::<usize>();
-            (left, first, second)
-        };
-        let mut pairs: Vec<_> = pairs.iter().map(everywhere).collect();
-        pairs.sort_unstable();
-        let names = |pair: &(usize, usize, usize)| {
-            let mut names = [self.mutants[pair.1].name, self.mutants[pair.2].name];
-            names.sort_unstable();
-            names
-        };
-        let rival = pairs.iter().find(|pair| names(pair) != names(&pairs[0]));
-        let is_clear = rival.is_none_or(|rival| rival.0 >= pairs[0].0 + margin);
-        scores.iter().find(|score| score.mutant == pairs[0].1).filter(|_| is_clear).copied()
-    }
-
-    fn can_follow(&self, first: usize, second: usize) -> bool {
-        self.mutants[second].name != self.mutants[first].name && !self.is_old(&self.mutants[second])
-    }
-
-    /// The best mutant of each of the best few names.
-    fn best_names(&self, scores: &[Score]) -> Vec<usize> {
-        let mut best: Vec<usize> = Vec::new();
-        for score in scores.iter().filter(|score| !self.is_old(&self.mutants[score.mutant])) {
-            if best.len() < FIRST_OF_PAIR
-                && best.iter().all(|&other| self.mutants[other].name != self.mutants[score.mutant].name)
-            {
-                best.push(score.mutant);
-            }
-        }
-        best
-    }
-
     /// Whether a mutant was named before, or takes back what was: then it is no second mistake.
-    fn is_old(&self, mutant: &Mutant) -> bool {
+    pub(super) fn is_old(&self, mutant: &Mutant) -> bool {
         let takes_back = |fault: &Fault| mutant.applied_to(&fault.rules.0) == mutant.applied_to(&fault.rules.1);
         self.faults.iter().any(|fault| fault.name == mutant.name || takes_back(fault))
     }
@@ -367,6 +347,12 @@ fn concerns(mutant: &Mutant, lab: &Lab, aspects: &[AspectVerdict]) -> bool {
     }
     if !has(|shot| shot.case.faces.iter().any(|face| face.opacity < 1.0)) {
         rules.blending = right.blending;
+    }
+    let has_lit = has(|shot| shot.case.lamp.is_some());
+    if !has_lit && !has(|shot| shot.case.faces.iter().any(|face| !face.is_flat())) && rules.cover_at == right.cover_at {
+        // Where nothing varies but depth, depth is what is taken elsewhere.
+        let at_corner = rules.value_at == (0.0, 0.0);
+        (rules.value_at, rules.clamps) = if at_corner { (rules.value_at, rules.clamps) } else { (right.value_at, right.clamps) };
     }
     if lab.name != "watkins" {
         // Only scan-line programs have spans of several faces.

@@ -117,7 +117,8 @@ impl Stack {
         let behind = self.kept.unwrap_or(f64::NEG_INFINITY);
         let is_seen = |&&(index, depth, wins): &&(usize, f64, bool)| {
             let is_before = match rules.blending {
-                Blending::Everywhere => true,
+                Blending::Everywhere | Blending::EverywhereTurned | Blending::EverywhereSorted => true,
+                Blending::AtEnd => depth > behind,
                 Blending::Turned => self.kept.is_none_or(|kept| depth < kept),
                 _ => wins && depth > behind,
             };
@@ -127,7 +128,8 @@ impl Stack {
         match rules.blending {
             Blending::Ignored | Blending::Invisible => clear.clear(),
             // A stable sort keeps ties in list order; the farthest is blended first.
-            Blending::Over | Blending::Swapped => {
+            Blending::EverywhereTurned => clear.reverse(),
+            Blending::Over | Blending::Swapped | Blending::AtEnd | Blending::EverywhereSorted => {
                 clear.sort_by(|a, b| b.1.total_cmp(&a.1));
                 clear.reverse();
             }
@@ -186,7 +188,8 @@ pub(super) fn depth(face: &Face, rules: &Rules, (sample, samples): ((i32, i32), 
         DepthFrom::Steps(steps) => (plane() * steps).floor() / steps,
         DepthFrom::RoundSteps(steps) => (plane() * steps).round() / steps,
         DepthFrom::Wraps(steps, most) => (plane() * steps).floor().rem_euclid(most) / steps,
-        DepthFrom::DistanceSteps(steps) => steps / (steps / plane()).floor(),
+        // Distances that are cut to 0 are equal, and as near as can be.
+        DepthFrom::DistanceSteps(steps) => (steps / (steps / plane()).floor()).min(f64::MAX),
         DepthFrom::AsText(scale) => as_text(scale / plane()),
         DepthFrom::Whole => plane().floor(),
         // What faces the viewer has one depth, to the last digit.
@@ -196,13 +199,14 @@ pub(super) fn depth(face: &Face, rules: &Rules, (sample, samples): ((i32, i32), 
             1.0 / (0..3).map(|corner| weights[corner] / face.inverse_w_at(face.corners[corner])).sum::<f64>()
         }
         DepthFrom::Runs(rule) => runs::depth(face, rule, at),
+        DepthFrom::Summed(rule) => rule.at(face, at, |at| face.inverse_w_at(at)),
     }
 }
 
 /// A number that orders distances as their texts are ordered: 100 before 20.
 fn as_text(distance: f64) -> f64 {
     let text = format!("{distance:?}");
-    let digits = text.bytes().filter(u8::is_ascii).take(7);
+    let digit = |number: usize| f64::from(text.as_bytes().get(number).copied().unwrap_or(0));
     // Seven digits of seven bits each.
-    2.0_f64.powi(50) - digits.fold(0.0, |sum, digit| sum * 128.0 + f64::from(digit))
+    2.0_f64.powi(50) - (0..7).fold(0.0, |sum, number| sum * 128.0 + digit(number))
 }

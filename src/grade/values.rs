@@ -201,6 +201,11 @@ fn spread(face: &Face, corners: &Corners, rules: &Rules, (at, kept): (Point, Opt
         Interpolation::Heaviest => values[heaviest(face, at)],
         Interpolation::Closest => values[closest(face, at)],
         Interpolation::Runs(rule) => runs::values(face, corners, rule, at),
+        Interpolation::Summed(rule) => [0, 1, 2].map(|number| rule.at(face, at, |at| face.values_at(at)[number])),
+        Interpolation::SummedOverW(rule) => {
+            let over = |number: usize, at: Point| face.values_at(at)[number] * face.inverse_w_at(at);
+            [0, 1, 2].map(|number| rule.at(face, at, |at| over(number, at)) / here)
+        }
     }
 }
 

@@ -188,6 +188,12 @@ fn draw(line: Line, rule: &Lines, put: &mut impl FnMut((i64, i64), bool)) {
             let keeps = |number: usize, count: usize| number >= first && number + last < count;
             in_order(line, rule.walk, keeps, put);
         }
+        Pen::TrimmedFromLeft(first, last) => {
+            let runs_back = if is_steep { line.1.1 < line.0.1 } else { line.1.0 < line.0.0 };
+            let (first, last) = if runs_back { (last, first) } else { (first, last) };
+            let keeps = |number: usize, count: usize| number >= first && number + last < count;
+            in_order(line, rule.walk, keeps, put);
+        }
     }
 }
 

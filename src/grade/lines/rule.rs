@@ -1,6 +1,6 @@
 //! Everything the picture of lines is decided by, one field a decision.
 
-pub use super::step_rule::{At, Axis, Slope, Step, StepEnds};
+pub use super::step_rule::{At, Axis, Slope, Step, StepEnds, StepLost};
 
 /// How the edges of faces are drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -230,6 +230,8 @@ pub enum Pen {
     Stride(i64),
     /// All of a line but so many first and last ones.
     Trimmed(usize, usize),
+    /// The same, counted from the left, or from above of steep ones.
+    TrimmedFromLeft(usize, usize),
 }
 
 /// The light of lines.

@@ -2,7 +2,7 @@
 //!
 //! A steep line is turned: its rows are the columns here. (u, v) is (x, y), or (y, x) of a steep line.
 
-use super::rule::{At, Axis, Slope, Step, StepEnds};
+use super::rule::{At, Axis, Slope, Step, StepEnds, StepLost};
 use super::{Line, Point};
 
 /// Calls `show` with the cells of a line.
@@ -30,14 +30,29 @@ pub(super) fn step(line: Line, step: Step, mut show: impl FnMut((i64, i64))) {
     let anchor = if step.from_left && end.0 < start.0 { end } else { start };
     let lead = step.lead * (end.1 - start.1).signum();
     let (low, high) = (start.0.min(end.0), start.0.max(end.0));
+    // The columns whose middle is reached.
+    let reached = ((low - 0.5).ceil() as i64, (high - 0.5).floor() as i64);
+    let is_forward = anchor.0 == low;
+    let first = if is_forward { reached.0 } else { reached.1 };
+    let first_row = (anchor.1 + (first as f64 + 0.5 - anchor.0) * right_slope).floor() as i64;
+    let is_from_left = step.lost.from_left || end.0 > start.0;
     for column in low.floor() as i64 + step.trim.0..=high.floor() as i64 - step.trim.1 {
         let middle = (column as f64 + 0.5).clamp(low, high);
         let at = match step.at {
             At::Middle => middle,
             At::Part(part) => column as f64 + part,
             At::Start => anchor.0 + column as f64 - anchor.0.floor(),
+            At::FirstMiddle => anchor.0 + (column - first) as f64,
         };
         let row = (anchor.1 + (at - anchor.0) * slope + step.shift + lead).floor() as i64;
+        let row = match step.slope {
+            Slope::RowsGrow => first_row + (row - first_row).abs(),
+            Slope::RowsFall => first_row - (row - first_row).abs(),
+            _ => row,
+        };
+        if is_lost(step.lost, (column, is_from_left), reached) {
+            continue;
+        }
         let right = (middle, start.1 + (middle - start.0) * right_slope);
         // Most programs ask for the diamond where they believe the line to be.
         let (asked, nearest) = match step.ends {
@@ -50,12 +65,19 @@ pub(super) fn step(line: Line, step: Step, mut show: impl FnMut((i64, i64))) {
     }
 }
 
+fn is_lost(lost: StepLost, (column, is_from_left): (i64, bool), (low, high): (i64, i64)) -> bool {
+    let at_low = lost.is_first == is_from_left;
+    let beyond = if at_low { column <= low } else { column >= high };
+    let at = column == if at_low { low } else { high };
+    lost.is_one && if lost.beyond { beyond } else { at }
+}
+
 fn slope(start: Point, end: Point, rule: Slope) -> f64 {
     let (du, dv) = (end.0 - start.0, end.1 - start.1);
     let or_level = |slope: f64| if slope.is_finite() { slope } else { 0.0 };
     let slope = dv / du;
     match rule {
-        Slope::Right => slope,
+        Slope::Right | Slope::RowsGrow | Slope::RowsFall => slope,
         Slope::Cut => slope.trunc(),
         Slope::Down => slope.floor(),
         Slope::Rounded => slope.round(),

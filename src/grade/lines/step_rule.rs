@@ -19,6 +19,26 @@ pub struct Step {
     pub ends: StepEnds,
     /// Columns left out on the left and on the right.
     pub trim: (i64, i64),
+    /// Of the columns whose middle is reached, one at an end is lost.
+    pub lost: StepLost,
+}
+
+/// Which of the columns whose middle a line reaches is lost.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct StepLost {
+    /// One is.
+    pub is_one: bool,
+    /// The first, not the last.
+    pub is_first: bool,
+    /// From left to right, whichever way the line runs.
+    pub from_left: bool,
+    /// And all beyond it.
+    pub beyond: bool,
+}
+
+impl StepLost {
+    /// None is.
+    pub const NONE: StepLost = StepLost { is_one: false, is_first: false, from_left: false, beyond: false };
 }
 
 /// What is stepped along.
@@ -63,6 +83,10 @@ pub enum Slope {
     Half,
     /// That of ends cut to whole numbers.
     OfWholeEnds,
+    /// Right, but rows always grow from that of the first column on.
+    RowsGrow,
+    /// Right, but they always fall.
+    RowsFall,
 }
 
 /// Where in a column the row is asked for.
@@ -74,6 +98,8 @@ pub enum At {
     Part(f64),
     /// As far within every column as the start is within its own.
     Start,
+    /// As if the start were the middle of the first column whose middle is reached.
+    FirstMiddle,
 }
 
 /// Which columns at the ends are shown.
@@ -110,5 +136,6 @@ impl Step {
         lead: 0.0,
         ends: StepEnds::Diamonds,
         trim: (0, 0),
+        lost: StepLost::NONE,
     };
 }

@@ -1,8 +1,8 @@
 //! Mistakes about areas: slack at edges, blocks of samples, masks that are not cleared, corners that are turned, borders.
 
-use super::{Mutant, drawing, each_with, family, mutant};
+use super::{Mutant, drawing, each_of, each_with, family, mutant};
 use crate::grade::rules::{
-    Address, Block, Border, Bounds, BoundsBy, Fill, LineSpans, Memory, Pieces, Place, Quarters, Rules, Shape, Slack,
+    Address, Block, BlockEnd, BlockStart, Blocks, Border, Bounds, BoundsBy, Fill, LineSpans, Memory, Pieces, Place, Quarters, Rules, Shape, Slack,
     Stencil, Ties, Turned,
 };
 use crate::grade::scan::{Edges, Odd, Pairs, Scan, Slope};
@@ -80,14 +80,20 @@ fn fan_added(rules: &mut Rules) {
 
 fn blocks() -> Vec<Mutant> {
     let sides = [2.0, 3.0, 4.0, 8.0, 16.0];
-    let lost: [fn(&mut Rules, f64); 5] = [
-        |rules, side| by(rules, BoundsBy::WholeBlocks(side as i32)),
-        |rules, side| by(rules, BoundsBy::BlocksOfCenters(side as i32)),
-        |rules, side| by(rules, BoundsBy::WholeBlocksOfPicture(side as i32)),
-        |rules, side| by(rules, BoundsBy::WholeBlocksAcross(side as i32)),
-        |rules, side| by(rules, BoundsBy::CenterBlocksAcross(side as i32)),
+    let lost = family(BLOCKS, &sides, |rules, side| by(rules, BoundsBy::Blocks(Blocks { side: side as i32, ..PAIRS })));
+    let across: fn(&mut Rules) = |rules| in_blocks(rules, |blocks| blocks.across_only = true);
+    let starts: [fn(&mut Rules); 4] = [
+        |_| (),
+        |rules| in_blocks(rules, |blocks| blocks.start = BlockStart::Center),
+        |rules| in_blocks(rules, |blocks| blocks.start = BlockStart::BlockBefore),
+        |rules| in_blocks(rules, |blocks| blocks.start = BlockStart::BlockBehind),
     ];
-    let lost = lost.iter().flat_map(|change| family(BLOCKS, &sides, *change)).collect();
+    let ends: [fn(&mut Rules); 3] = [
+        |_| (),
+        |rules| in_blocks(rules, |blocks| blocks.end = BlockEnd::Ceil),
+        |rules| in_blocks(rules, |blocks| blocks.end = BlockEnd::Center),
+    ];
+    let lost = each_of(&lost, &[&starts, &ends, &[|_| (), across]]);
     let covered: [fn(&mut Rules, f64); 4] = [
         |rules, side| rules.block = covering(side as i32, 0, false),
         |rules, side| rules.block = covering(side as i32, 0, true),
@@ -105,6 +111,14 @@ fn ask_at(rules: &mut Rules, at: (f64, f64)) {
 
 fn by(rules: &mut Rules, by: BoundsBy) {
     rules.bounds = Bounds { lost: [0; 4], by };
+}
+
+const PAIRS: Blocks = Blocks { side: 2, across_only: false, start: BlockStart::Floor, end: BlockEnd::Floor };
+
+fn in_blocks(rules: &mut Rules, change: fn(&mut Blocks)) {
+    if let BoundsBy::Blocks(blocks) = &mut rules.bounds.by {
+        change(blocks);
+    }
 }
 
 const fn covering(side: i32, at: i32, from_bounds: bool) -> Block {

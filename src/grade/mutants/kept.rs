@@ -1,7 +1,9 @@
 //! Mistakes about which depth is compared, where it is taken, kept and addressed.
 
 use super::{Mutant, each_with, family, mutant};
-use crate::grade::rules::{Address, Blending, DepthFrom, DepthPoint, Front, Kept, Memory, Rules, Shape};
+use crate::grade::rules::{
+    Address, Blending, DepthFrom, DepthPoint, Front, Interpolation, Kept, Memory, Rules, Shape, Summed, Walk,
+};
 
 const PAGE: &str = "docs/conventions.md";
 const PLACE: [&str; 4] = [
@@ -87,7 +89,7 @@ const GLASS: [&str; 4] = [
 
 /// All of them.
 pub(super) fn all() -> Vec<Mutant> {
-    [places(), memory(), one_depth(), steps(), orders()].concat()
+    [places(), memory(), addresses(), one_depth(), steps(), orders(), sums()].concat()
 }
 
 fn places() -> Vec<Mutant> {
@@ -109,12 +111,6 @@ fn memory() -> Vec<Mutant> {
         mutant(KEPT, |rules| rules.kept = Kept::Latest),
         mutant(KEPT, |rules| rules.kept = Kept::Sum),
         mutant(KEPT, |rules| rules.kept = Kept::Farthest),
-        mutant(ADDRESS, |rules| depth_at(rules, Address::TimesHeight)),
-        mutant(ADDRESS, |rules| depth_at(rules, Address::ColumnTimesWidth)),
-        mutant(ADDRESS, |rules| depth_at(rules, Address::Stride(-1))),
-        mutant(ADDRESS, |rules| depth_at(rules, Address::Row)),
-        mutant(ADDRESS, |rules| depth_at(rules, Address::Column)),
-        mutant(ADDRESS, |rules| depth_at(rules, Address::One)),
         mutant(PIXEL, |rules| depth_at(rules, Address::Pixel)),
         mutant(FEW, |rules| rules.most_at_sample = 2),
         mutant(FEW, |rules| rules.most_at_sample = 3),
@@ -123,6 +119,25 @@ fn memory() -> Vec<Mutant> {
         mutant(TEXT, |rules| rules.depth = DepthFrom::AsText(10.0)),
         mutant(TEXT, |rules| rules.depth = DepthFrom::AsText(100.0)),
     ]
+}
+
+/// With each order in which samples of a polygon are drawn: where they share a place, the first keeps it.
+fn addresses() -> Vec<Mutant> {
+    let addresses = [
+        mutant(ADDRESS, |rules| depth_at(rules, Address::TimesHeight)),
+        mutant(ADDRESS, |rules| depth_at(rules, Address::ColumnTimesWidth)),
+        mutant(ADDRESS, |rules| depth_at(rules, Address::Stride(-1))),
+        mutant(ADDRESS, |rules| depth_at(rules, Address::Row)),
+        mutant(ADDRESS, |rules| depth_at(rules, Address::Column)),
+        mutant(ADDRESS, |rules| depth_at(rules, Address::One)),
+    ];
+    let walks: [fn(&mut Rules); 4] = [
+        |_| (),
+        |rules| rules.memory.walk = Walk::Columns,
+        |rules| rules.memory.walk = Walk::Blocks(2),
+        |rules| rules.memory.walk = Walk::BlocksOfBounds(2),
+    ];
+    each_with(&addresses, &walks)
 }
 
 const PIXEL: [&str; 4] = [
@@ -195,7 +210,10 @@ fn orders() -> Vec<Mutant> {
             (rules.front, rules.depth, rules.later_wins_ties) = (Front::Farthest, DepthFrom::LinearW, true)
         }),
     ];
-    let glass: [fn(&mut Rules); 8] = [
+    let glass: [fn(&mut Rules); 11] = [
+        |rules| rules.blending = Blending::EverywhereSorted,
+        |rules| rules.blending = Blending::EverywhereTurned,
+        |rules| rules.blending = Blending::AtEnd,
         |_| (),
         |rules| rules.blending = Blending::Invisible,
         |rules| rules.blending = Blending::Ignored,
@@ -205,6 +223,46 @@ fn orders() -> Vec<Mutant> {
         |rules| rules.blending = Blending::ListOrder,
         |rules| rules.blending = Blending::Turned,
     ];
-    let untested = mutant(GLASS, |rules| rules.blending = Blending::AtOnceUntested);
-    [vec![untested], each_with(&fronts, &glass)].concat()
+    let untested = [
+        mutant(GLASS, |rules| rules.blending = Blending::EverywhereSorted),
+        mutant(GLASS, |rules| rules.blending = Blending::EverywhereTurned),
+        mutant(GLASS, |rules| rules.blending = Blending::AtOnceUntested),
+    ];
+    [untested.to_vec(), each_with(&fronts, &glass)].concat()
+}
+
+const SUMMED: [&str; 4] = [
+    "added up inexactly along spans",
+    "The step of a value or of depth from sample to sample is cut or rounded (to whole levels, to a few bits), and the error adds up.",
+    "Keep the step as it is, or evaluate the plane anew at every sample.",
+    "docs/scanline.md",
+];
+
+const ALONG: [&str; 4] = [
+    "affine along spans",
+    "Along rows values are interpolated linearly on the screen, along edges in space.",
+    "Interpolate value / w and 1/w along edges and along rows, and divide at every sample.",
+    "docs/scanline.md",
+];
+
+/// Depth and values that are added up along a span.
+fn sums() -> Vec<Mutant> {
+    let parts = [8.0, 10.0, 16.0, 32.0, 64.0, 100.0, 127.0, 128.0, 255.0, 256.0, 512.0, 1000.0, 1024.0];
+    let ways: [fn(&mut Rules, f64); 8] = [
+        |rules, parts| rules.depth = DepthFrom::Summed(summed(parts, true, false)),
+        |rules, parts| rules.depth = DepthFrom::Summed(summed(parts, false, false)),
+        |rules, parts| rules.values = Interpolation::Summed(summed(parts, true, false)),
+        |rules, parts| rules.values = Interpolation::Summed(summed(parts, false, false)),
+        |rules, parts| rules.values = Interpolation::Summed(summed(parts, true, true)),
+        |rules, parts| rules.values = Interpolation::Summed(summed(parts, false, true)),
+        |rules, parts| rules.values = Interpolation::SummedOverW(summed(parts, true, false)),
+        |rules, parts| rules.values = Interpolation::SummedOverW(summed(parts, false, false)),
+    ];
+    let straight = mutant(ALONG, |rules| rules.values = Interpolation::Summed(summed(f64::INFINITY, false, true)));
+    let all: Vec<Mutant> = ways.iter().flat_map(|change| family(SUMMED, &parts, *change)).collect();
+    [vec![straight], all].concat()
+}
+
+const fn summed(parts: f64, is_cut: bool, between_samples: bool) -> Summed {
+    Summed { parts, is_cut, between_samples }
 }

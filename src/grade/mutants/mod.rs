@@ -27,7 +27,8 @@ mod value;
 
 use super::labs::Lab;
 use super::lines::rule::Lines;
-use super::rules::{DepthFrom, Rules};
+use super::listed::Tone;
+use super::rules::{Blending, Bounds, BoundsBy, DepthFrom, Pieces, Rules};
 
 /// A mistake that students make.
 #[derive(Clone, Copy, Debug)]
@@ -45,7 +46,7 @@ pub struct Mutant {
     /// A change with a number in it, and that number.
     pub with: Option<(fn(&mut Rules, f64), f64)>,
     /// What else goes with it in some programs, and is no mistake, or follows from this one.
-    pub beside: Option<fn(&mut Rules)>,
+    pub beside: [Option<fn(&mut Rules)>; 3],
 }
 
 /// All of them.
@@ -66,6 +67,8 @@ pub fn of(lab: &Lab) -> Vec<Mutant> {
     let has_lines = lab.aspects.iter().any(|aspect| (aspect.cases)(0).iter().any(|case| case.lines));
     let mut mutants = all();
     let has_range = lab.aspects.iter().any(|aspect| aspect.name == "depth range");
+    // Where only lines are drawn, light is bright or dark: how dark says nothing about levels.
+    mutants.retain(|mutant| !has_lines || mutant.is_about_lines() || (mutant.with.is_none() && mutant.is_plain()));
     mutants.retain(|mutant| (has_lines || !mutant.is_about_lines()) && (has_range || !mutant.is_about_range()));
     mutants
 }
@@ -90,6 +93,20 @@ impl Mutant {
         is_kept_in_steps || numbers(&changed) != numbers(&right)
     }
 
+    /// Whether nothing goes along with it.
+    #[must_use]
+    pub fn is_plain(&self) -> bool {
+        self.beside.iter().all(Option::is_none)
+    }
+
+    /// The same with something more beside it; a fourth thing takes the place of the third.
+    #[must_use]
+    pub fn beside(mut self, change: fn(&mut Rules)) -> Mutant {
+        let free = self.beside.iter().position(Option::is_none).unwrap_or(2);
+        self.beside[free] = Some(change);
+        self
+    }
+
     /// `rules` with this mistake in them as well.
     #[must_use]
     pub fn applied_to(&self, rules: &Rules) -> Rules {
@@ -98,7 +115,7 @@ impl Mutant {
         if let Some((change, number)) = self.with {
             change(&mut changed, number);
         }
-        if let Some(change) = self.beside {
+        for change in self.beside.iter().flatten() {
             change(&mut changed);
         }
         changed
@@ -108,7 +125,7 @@ impl Mutant {
 /// Name, cause, rule and page, for the lists of this folder.
 const fn mutant(words: [&'static str; 4], change: fn(&mut Rules)) -> Mutant {
     let [name, cause, rule, read] = words;
-    Mutant { name, cause, rule, read, change, with: None, beside: None }
+    Mutant { name, cause, rule, read, change, with: None, beside: [None; 3] }
 }
 
 /// One mistake with each of some numbers in it.
@@ -119,9 +136,28 @@ fn family(words: [&'static str; 4], numbers: &[f64], change: fn(&mut Rules, f64)
 
 /// Mistakes, each with each of what may go with it.
 fn each_with(mutants: &[Mutant], besides: &[fn(&mut Rules)]) -> Vec<Mutant> {
-    let with = |beside: &fn(&mut Rules)| {
-        let beside = *beside;
-        mutants.iter().map(move |mutant| Mutant { beside: Some(beside), ..*mutant })
-    };
-    besides.iter().flat_map(with).collect()
+    besides.iter().flat_map(|beside| mutants.iter().map(|mutant| mutant.beside(*beside))).collect()
+}
+
+/// The same with one of each of several lists.
+fn each_of(mutants: &[Mutant], lists: &[&[fn(&mut Rules)]]) -> Vec<Mutant> {
+    lists.iter().fold(mutants.to_vec(), |mutants, besides| each_with(&mutants, besides))
+}
+
+/// What goes along with a mistake in some programs: ways of doing things that are right by themselves, or follow from it.
+pub(super) fn companions() -> &'static [fn(&mut Rules)] {
+    &[
+        |rules| (rules.divides_by_kept, rules.spares_exact) = (true, true),
+        |rules| rules.divides_by_kept = true,
+        |rules| rules.clamps = true,
+        |rules| rules.shape.is_fan = true,
+        |rules| rules.shape.planes_follow = true,
+        |rules| rules.pieces = Pieces::Fan { from: 0, skipped: 0, lost: 0, toggles: true, of_all: true },
+        |rules| rules.bounds = Bounds { lost: [0; 4], by: BoundsBy::Clipped },
+        |rules| rules.least_area = 1e-9,
+        |rules| rules.blending = Blending::AtOnce,
+        |rules| rules.blending = Blending::AtEnd,
+        |rules| (rules.face_tone, rules.tone) = (rules.tone, Tone::Own),
+        |rules| (rules.divides_by_kept, rules.spares_exact, rules.shape.is_fan) = (true, true, true),
+    ]
 }

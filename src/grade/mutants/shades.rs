@@ -67,7 +67,7 @@ const RUNNING: [&str; 4] = [
 
 /// All of them.
 pub(super) fn all() -> Vec<Mutant> {
-    [levels(), channels(), blocks(), pixels()].concat()
+    [levels(), channels(), blocks(), pixels(), inexact()].concat()
 }
 
 /// For the whole picture, or for polygons alone.
@@ -153,4 +153,12 @@ fn pixels() -> Vec<Mutant> {
         mutant(RUNNING, |rules| rules.pixel = PixelFrom::Running(true)),
         mutant(RUNNING, |rules| rules.pixel = PixelFrom::Running(false)),
     ]
+}
+
+/// Mistakes about values where what is the same at all corners stays so only where it is the same to the last digit.
+fn inexact() -> Vec<Mutant> {
+    let exact: fn(&mut Rules) = |rules| rules.spares_exact = true;
+    let values: Vec<Mutant> = [super::value::MUTANTS, super::carried::MUTANTS].concat();
+    let is_plain = |mutant: &&Mutant| !mutant.applied_to(&Rules::default()).spares_constants;
+    each_with(&values.iter().filter(is_plain).copied().collect::<Vec<_>>(), &[exact])
 }

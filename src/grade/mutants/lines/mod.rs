@@ -5,9 +5,10 @@
 
 mod words;
 
-use super::{Mutant, mutant};
+use super::{Mutant, each_with, mutant};
+use crate::grade::rules::Rules;
 use crate::grade::lines::rule::{
-    Around, Ask, At, Axis, Backward, Ends, Faces, Ink, Lost, Pen, Shape, Slope, Step, StepEnds, Walk, When,
+    Around, Ask, At, Axis, Backward, Ends, Faces, Ink, Lost, Pen, Shape, Slope, Step, StepEnds, StepLost, Walk, When,
 };
 use words::*;
 
@@ -93,7 +94,13 @@ const SLOPES: [&[Mutant]; 16] = [
     &stepped!(NO_SLOPE, slope: Slope::Zero),
 ];
 
-const ROWS: [&[Mutant]; 16] = [
+const ROWS: [&[Mutant]; 22] = [
+    &stepped!(UNSIGNED, slope: Slope::RowsGrow),
+    &stepped!(UNSIGNED, slope: Slope::RowsGrow, from_left: true),
+    &stepped!(UNSIGNED, slope: Slope::RowsFall),
+    &stepped!(UNSIGNED, slope: Slope::RowsFall, from_left: true),
+    &stepped!(FROM_END, at: At::FirstMiddle),
+    &stepped!(FROM_END, at: At::FirstMiddle, from_left: true),
     &stepped!(NOT_BACK, axis: Axis::NotTurnedBack),
     &stepped!(WHOLE, slope: Slope::OfWholeEnds),
     &stepped!(WHOLE_SLOPE, slope: Slope::Cut, from_left: true),
@@ -299,8 +306,34 @@ const PENS: [&[Mutant]; 8] = [
     simple!(EXCLUSIVE, is_exclusive = true),
 ];
 
+/// One of the columns whose middle is reached lost, at the first or last, by the line's direction or from the left.
+fn one_lost() -> Vec<Mutant> {
+    let treated = stepped!(TRIMMED, lost: StepLost { is_one: true, ..StepLost::NONE });
+    let ways: [fn(&mut Rules); 8] = [
+        |_| (),
+        |rules| lost(rules, |lost| lost.is_first = true),
+        |rules| lost(rules, |lost| lost.from_left = true),
+        |rules| lost(rules, |lost| (lost.is_first, lost.from_left) = (true, true)),
+        |rules| lost(rules, |lost| lost.beyond = true),
+        |rules| lost(rules, |lost| (lost.beyond, lost.is_first) = (true, true)),
+        |rules| lost(rules, |lost| (lost.beyond, lost.from_left) = (true, true)),
+        |rules| lost(rules, |lost| (lost.beyond, lost.is_first, lost.from_left) = (true, true, true)),
+    ];
+    let drawn = [
+        mutant(TRIMMED, |rules| rules.lines.pen = Pen::TrimmedFromLeft(0, 1)),
+        mutant(TRIMMED, |rules| rules.lines.pen = Pen::TrimmedFromLeft(1, 0)),
+    ];
+    [each_with(&treated, &ways), drawn.to_vec()].concat()
+}
+
+fn lost(rules: &mut Rules, change: fn(&mut StepLost)) {
+    if let Walk::Step(step) = &mut rules.lines.walk {
+        change(&mut step.lost);
+    }
+}
+
 /// All of them.
 pub(super) fn all() -> Vec<Mutant> {
-    [SLOPES.concat(), ROWS.concat(), ENDS.concat(), DIAMONDS.concat(), LOST.concat(), SHAPES.concat(), PENS.concat()]
+    [one_lost(), SLOPES.concat(), ROWS.concat(), ENDS.concat(), DIAMONDS.concat(), LOST.concat(), SHAPES.concat(), PENS.concat()]
         .concat()
 }
