@@ -45,7 +45,9 @@ fn eight() -> farop::view::Viewer<'static> {
 #[test]
 fn every_state_of_three_triangles() {
     let (mut viewer, mut states) = (eight(), String::new());
-    for keys in ["2", ".", ".", ".", "3", ".", "4", ".", ".", "5", ".", ".", "6", ".", ".", "rr6<end>", "<home>.....", "."] {
+    for keys in
+        ["2", ".", ".", ".", "3", ".", "4", ".", ".", "5", ".", ".", "6", ".", ".", "rr6<end>", "<home>.....", "."]
+    {
         states += &format!("[{keys}]\n{}\n\n", told(&mut viewer, keys));
     }
     insta::assert_snapshot!("view_three_triangles", states);
@@ -99,7 +101,10 @@ fn stages_are_linked_without_a_gap() {
         assert!(traced.pieces.windows(2).all(|pair| pair[0].end == pair[1].start && !pair[0].is_empty()), "{name}");
         for (number, pieces) in traced.pieces.iter().enumerate() {
             let source = traced.trace.clipped[number].source;
-            assert!(pieces.clone().all(|piece| traced.list.polygon(piece).record().source == source), "{name} {number}");
+            assert!(
+                pieces.clone().all(|piece| traced.list.polygon(piece).record().source == source),
+                "{name} {number}"
+            );
         }
     }
 }
