@@ -81,4 +81,6 @@ mod documents {
     struct Transparency;
     #[doc = include_str!("../docs/lab.md")]
     struct Lab;
+    #[doc = include_str!("../docs/view.md")]
+    struct View;
 }

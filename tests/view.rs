@@ -9,7 +9,7 @@ use farop::raster::{PerPolygon, PolygonRasterizer, Target, ZBuffer, coverage};
 use farop::render::render;
 use farop::screen::{Fragment, ScreenPolygon, Shader};
 use farop::snapshot::assert_picture;
-use farop::view::{Action, Board, Compare, Event, Key, Show, Viewer, keys, read_keys};
+use farop::view::{Action, Board, Compare, Event, Key, Viewer, keys, read_keys};
 use support::{press, rasterizers, scene, told, viewer};
 
 /// What keys show of a scene, without text: it has snapshots of its own.
@@ -84,7 +84,7 @@ fn yours_reference_and_difference_are_a_key_apart() {
     let mut named = rasterizers();
     named.insert(0, ("wide".to_string(), &wide));
     let choices = Choices { size: Some((96, 96)), ..Choices::default() };
-    let mut viewer = Viewer::new(scene("depth_overlap.nff"), &choices, named, 1).expect("a camera");
+    let mut viewer = Viewer::new(scene("depth_overlap.nff"), &choices, named).expect("a camera");
     press(&mut viewer, "t");
     let yours = viewer.draw().clone();
     press(&mut viewer, "x");
@@ -115,6 +115,7 @@ fn the_picture_is_that_of_render() {
 #[test]
 fn every_show_and_every_choice_gives_a_picture() {
     let mut viewer = viewer("glass.nff", 24);
+    press(&mut viewer, "t");
     let mut pictures = std::collections::BTreeSet::new();
     for digit in "1234567890".chars() {
         for keys in ["", "s", "s", "s", "a", "b", "b", "g", "ggg", "r", "r", "x", "e", "i", "n", "n", "."] {
@@ -141,7 +142,7 @@ fn the_inspector_says_what_why_says() {
 
 #[test]
 fn a_broken_scene_leaves_the_last_good_picture() {
-    let mut viewer = viewer("star.nff", 64);
+    let mut viewer = viewer("star.nff", 200);
     press(&mut viewer, "t2s<left*3>");
     let good = viewer.draw().clone();
     let error = farop::parse::read_nff("star.nff", b"v\nfrom 0 0\n", Default::default()).expect_err("broken");
@@ -171,7 +172,7 @@ fn a_rasterizer_that_panics_does_not_close_the_window() {
     let mut named = rasterizers();
     named.push(("panics".to_string(), &panics));
     let choices = Choices { size: Some((32, 32)), threads: Some(1), ..Choices::default() };
-    let mut viewer = Viewer::new(scene("star.nff"), &choices, named, 1).expect("a camera");
+    let mut viewer = Viewer::new(scene("star.nff"), &choices, named).expect("a camera");
     press(&mut viewer, "t");
     let good = viewer.draw().clone();
     press(&mut viewer, "rrr");
@@ -186,17 +187,15 @@ fn every_key_of_the_help_does_something() {
     for (key, what) in keys::GROUPS.iter().flat_map(|group| group.1) {
         for word in key.split(' ').filter(|word| !["drag", "arrows"].contains(word)) {
             let word = if word.chars().count() > 1 { format!("<{word}>") } else { word.replace('<', "<lt>") };
-            let mut viewer = viewer("star.nff", 32);
-            // A state in which every key has something to change.
-            press(&mut viewer, "2.....c<at:9,9><up>pp");
-            if word == "1" {
-                viewer.state.show = Show::Eye;
-            } else if word == "2" {
-                viewer.state.show = Show::Clip;
-            }
-            let before = viewer.state.clone();
-            let actions = press(&mut viewer, &word);
-            assert!(viewer.state != before || !actions.is_empty(), "{word}: {what}");
+            let changes = |state: &str| {
+                let mut viewer = viewer("star.nff", 32);
+                press(&mut viewer, state);
+                let before = viewer.state.clone();
+                let actions = press(&mut viewer, &word);
+                viewer.state != before || !actions.is_empty()
+            };
+            // In one of two states every key has something to change.
+            assert!(changes("5.....c<at:9,9><up>pp") || changes("2....."), "{word}: {what}");
         }
     }
     let quit = |keys: &str| press(&mut viewer("star.nff", 32), keys).contains(&Action::Quit);

@@ -120,3 +120,33 @@ fn without_a_display_the_way_without_one_is_told() {
     assert_eq!(output.status.code(), Some(2), "{said}");
     assert!(said.contains("farop view spd:tetra:1 --keys \"2\" --shot picture.png"), "{said}");
 }
+
+/// The commands of `docs/view.md` that make its pictures: name of the picture, and arguments.
+fn pictures_of_the_page() -> Vec<(String, String)> {
+    let page = include_str!("../docs/view.md");
+    let commands = page.lines().filter_map(|line| line.strip_prefix("farop "));
+    let made = commands.filter(|line| line.contains("--shot view_"));
+    made.map(|line| {
+        let name = line.rsplit(' ').next().expect("it ends with the picture").to_string();
+        let words = line.split(' ').map(|word| match word.strip_prefix("scenes/") {
+            Some(scene) => project_scene(scene),
+            None => word.replace('"', ""),
+        });
+        (name, words.collect::<Vec<_>>().join(" "))
+    })
+    .collect()
+}
+
+#[test]
+fn the_page_shows_what_its_commands_make() {
+    let images = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/images");
+    let desk = Desk::new();
+    let pictures = pictures_of_the_page();
+    assert!(pictures.len() >= 10);
+    for (name, arguments) in pictures {
+        desk.done(&arguments);
+        let made = farop::image::read(&desk.path(&name)).expect("it was made");
+        let shown = farop::image::read(&images.join(&name)).unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert!(made == shown, "docs/images/{name} is not what `farop {arguments}` makes");
+    }
+}

@@ -54,8 +54,8 @@ pub struct Viewer<'a> {
     maker: Maker<'a>,
     version: u64,
     landmarks: Vec<Landmark>,
-    /// Board pixels a dot of a letter.
-    scale: i64,
+    /// Board pixels a dot of a letter; `None`: more on high boards, whose pixels are small.
+    pub text_size: Option<u32>,
     /// The last good picture, without overlays, and what it was made for.
     base: Board,
     base_of: Option<BaseKey>,
@@ -70,17 +70,11 @@ pub struct Viewer<'a> {
 type BaseKey = (Wish, Show, Option<usize>, Compare, bool, Outside);
 
 impl<'a> Viewer<'a> {
-    /// Looks at `scene`. The first of `rasterizers` draws to begin with; `scale`: pixels a dot of a letter, 2 or more on
-    /// screens of high density.
+    /// Looks at `scene`. The first of `rasterizers` draws to begin with.
     ///
     /// # Errors
     /// The scene has no camera.
-    pub fn new(
-        scene: Scene,
-        choices: &Choices,
-        rasterizers: Vec<Named<'a>>,
-        scale: u32,
-    ) -> Result<Viewer<'a>, PlanError> {
+    pub fn new(scene: Scene, choices: &Choices, rasterizers: Vec<Named<'a>>) -> Result<Viewer<'a>, PlanError> {
         let own = scene.camera.ok_or(PlanError::NoCamera)?;
         let size = choices.size.unwrap_or(own.resolution);
         let choices = Choices { size: Some(size), ..choices.clone() };
@@ -89,7 +83,7 @@ impl<'a> Viewer<'a> {
             landmarks: guide::landmarks(&scene),
             maker: Maker::new(scene, rasterizers),
             version: 0,
-            scale: i64::from(scale.max(1)),
+            text_size: None,
             base: Board::new(size.0 as usize, size.1 as usize, ink::BLACK),
             base_of: None,
             stage_text: Vec::new(),
@@ -129,6 +123,13 @@ impl<'a> Viewer<'a> {
             }
             Err(message) => self.broken = Some(message),
         }
+    }
+
+    /// Board pixels a dot of a letter.
+    fn scale(&self) -> i64 {
+        // On higher boards pixels are smaller than a letter's dots should be.
+        const HIGH: i64 = 1400;
+        self.text_size.map_or(1 + self.base.height() as i64 / HIGH, i64::from)
     }
 
     /// Shows a message until the next key.
@@ -265,15 +266,16 @@ impl<'a> Viewer<'a> {
     }
 
     fn draw_guide(&mut self) {
+        let scale = self.scale();
         if self.state.guide == Guide::Nothing || self.state.show.is_outside() {
             return;
         }
         if self.state.guide == Guide::Landmarks
             && let Ok(listed) = self.maker.listed(&self.wish())
         {
-            guide::names(&mut self.board, &self.landmarks, &listed.plan.view, self.scale);
+            guide::names(&mut self.board, &self.landmarks, &listed.plan.view, scale);
         }
-        guide::compass(&mut self.board, &self.state.eye, self.scale);
+        guide::compass(&mut self.board, &self.state.eye, scale);
     }
 
     fn draw_lens(&mut self) {
@@ -299,20 +301,21 @@ impl<'a> Viewer<'a> {
     }
 
     fn draw_text(&mut self) {
+        let scale = self.scale();
         if self.state.help {
-            let letters = panel::letters(&self.board, self.scale);
-            panel(&mut self.board, &keys::help(letters), Place::Top, (self.scale, ink::WHITE));
+            let letters = panel::letters(&self.board, scale);
+            panel(&mut self.board, &keys::help(letters), Place::Top, (scale, ink::WHITE));
             return;
         }
         if self.state.text {
             let lines = self.text();
-            panel(&mut self.board, &lines, Place::Top, (self.scale, ink::WHITE));
+            panel(&mut self.board, &lines, Place::Top, (scale, ink::WHITE));
         }
         if let Some(trouble) = self.trouble() {
             let lines: Vec<String> = trouble.lines().map(String::from).collect();
-            panel(&mut self.board, &lines, Place::Bottom, (self.scale, 0xFF_90_80));
+            panel(&mut self.board, &lines, Place::Bottom, (scale, 0xFF_90_80));
         } else if let Some(said) = self.said.clone() {
-            panel(&mut self.board, &[said], Place::Bottom, (self.scale, ink::YELLOW));
+            panel(&mut self.board, &[said], Place::Bottom, (scale, ink::YELLOW));
         }
     }
 }

@@ -34,7 +34,7 @@ pub fn rasterizers() -> Vec<Named<'static>> {
 /// A viewer of `side` x `side` pixels, drawn by the z-buffer.
 pub fn viewer(name: &str, side: u32) -> Viewer<'static> {
     let choices = Choices { size: Some((side, side)), ..Choices::default() };
-    Viewer::new(scene(name), &choices, rasterizers(), 1).expect("the scene has a camera")
+    Viewer::new(scene(name), &choices, rasterizers()).expect("the scene has a camera")
 }
 
 /// Presses keys and returns what they ask of the shell.

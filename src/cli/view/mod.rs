@@ -18,10 +18,10 @@ use clap::Args;
 use shell::Shell;
 use std::path::PathBuf;
 
-/// A window: every stage, any pixel, a walk through the scene
+/// A window: every stage, any pixel, a walk through the scene (the key h tells the keys)
 #[derive(Args)]
 #[command(
-    after_help = "Examples:\n  farop view spd:gears\n  farop view scene.nff --keys \"2<right*3>\" --shot eye.png\n\nKeys: press h in the window; docs/view.md"
+    after_help = "Examples:\n  farop view spd:gears\n  farop view scene.nff --keys \"2<right*3>\" --shot eye.png"
 )]
 pub(super) struct ViewCommand {
     #[command(flatten)]
@@ -41,15 +41,12 @@ pub(super) struct ViewCommand {
     /// Folder for the frames of key m, frame-00000.png and on
     #[arg(long, value_name = "DIR", default_value = "frames")]
     frames: PathBuf,
-    /// Pixels a dot of a letter [default: 1, and 2 in windows more than 1400 high]
+    /// Pixels a dot of a letter [default: 1, and 2 where there are more than 1400 rows]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=8))]
     text_size: Option<u32>,
     #[command(flatten)]
     picture: PictureOptions,
 }
-
-/// Windows higher than this have letters twice as large.
-const HIGH: u32 = 1400;
 
 impl ViewCommand {
     pub fn run(self, registry: &Registry) -> Result<(), CliError> {
@@ -61,9 +58,8 @@ impl ViewCommand {
         let choices = self.picture.choices();
         let chosen = find_rasterizer(registry, &self.rasterizer)?;
         let rasterizers = self.rasterizers(registry, chosen.as_ref())?;
-        let height = choices.size.or(scene.camera.map(|camera| camera.resolution)).map_or(0, |size| size.1);
-        let scale = self.text_size.unwrap_or(if height > HIGH { 2 } else { 1 });
-        let mut viewer = Viewer::new(scene, &choices, rasterizers, scale)?;
+        let mut viewer = Viewer::new(scene, &choices, rasterizers)?;
+        viewer.text_size = self.text_size;
         if self.rasterizer == "wire" {
             viewer.state.choices.shading = Shading::Wire;
         }

@@ -1,0 +1,152 @@
+//! The real window, on a virtual display: opens, takes keys, answers, records, plays, ends. Needs `Xvfb` and `xdotool`;
+//! without them it says so and passes.
+
+#![cfg(all(target_os = "linux", feature = "window"))]
+
+#[path = "support/command.rs"]
+mod command;
+
+use command::{Desk, project_scene};
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+
+/// The longest wait for something that should happen at once; the machine may be busy.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// A process that ends with the test.
+struct Running(Child);
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
+fn is_there(program: &str) -> bool {
+    let paths = std::env::var_os("PATH").unwrap_or_default();
+    std::env::split_paths(&paths).any(|folder| folder.join(program).is_file())
+}
+
+/// Waits until `ask` answers.
+fn wait_for<T>(what: &str, mut ask: impl FnMut() -> Option<T>) -> T {
+    let start = Instant::now();
+    loop {
+        if let Some(answer) = ask() {
+            return answer;
+        }
+        assert!(start.elapsed() < PATIENCE, "waited in vain for {what}");
+        std::thread::sleep(Duration::from_millis(50));
+    }
+}
+
+/// A virtual display of its own, which the server numbers itself.
+fn display(folder: &Path) -> (Running, String) {
+    let number = folder.join("display");
+    let file = std::fs::File::create(&number).expect("the folder is writable");
+    let mut server = Command::new("Xvfb");
+    server.args(["-displayfd", "1", "-screen", "0", "800x600x24", "-nolisten", "tcp"]);
+    let server = server.stdout(file).stderr(Stdio::null()).spawn().expect("Xvfb starts");
+    let server = Running(server);
+    let display = wait_for("the display", || {
+        let text = std::fs::read_to_string(&number).ok()?;
+        text.ends_with('\n').then(|| format!(":{}", text.trim()))
+    });
+    (server, display)
+}
+
+fn xdotool(display: &str, arguments: &[&str]) -> String {
+    let output = Command::new("xdotool").args(arguments).env("DISPLAY", display).output().expect("xdotool starts");
+    String::from_utf8_lossy(&output.stdout).trim().to_string()
+}
+
+/// Types keys, each a short tap.
+fn tap(display: &str, keys: &[&str]) {
+    xdotool(display, &[&["key", "--delay", "12"], keys].concat());
+}
+
+#[test]
+fn a_real_window_does_what_the_keys_say() {
+    if !(is_there("Xvfb") && is_there("xdotool")) {
+        return println!("notice: no Xvfb or no xdotool here: the real window is not tried");
+    }
+    let desk = Desk::new();
+    let scene = desk.path("scene.nff");
+    let text = std::fs::read_to_string(project_scene("depth_overlap.nff")).expect("a scene of the project");
+    std::fs::write(&scene, &text).expect("the folder is writable");
+    let (_server, display) = display(&desk.path(""));
+    let mut farop = Command::new(env!("CARGO_BIN_EXE_farop"));
+    farop.args(["view", "scene.nff", "--size", "320x240"]).current_dir(desk.path("")).env("DISPLAY", &display);
+    let mut farop = Running(farop.stdin(Stdio::null()).spawn().expect("the program starts"));
+    let window = wait_for("the window", || {
+        let found = xdotool(&display, &["search", "--name", "farop: scene.nff"]);
+        found.lines().next().map(String::from)
+    });
+    // Nobody manages windows here, so nobody gives them the keyboard.
+    xdotool(&display, &["windowfocus", "--sync", &window]);
+    let saved = |number: u32| {
+        tap(&display, &["f"]);
+        let name = desk.path(&format!("farop-{number:03}.png"));
+        wait_for("a saved picture", || farop::image::read(&name).ok())
+    };
+
+    // Taps of 12 ms change the shading; the picture is what `--shot` gives.
+    tap(&display, &["t"]);
+    let gouraud = saved(1);
+    assert_eq!((gouraud.width(), gouraud.height()), (320, 240));
+    tap(&display, &["s", "s", "s"]);
+    let wire = saved(2);
+    assert!(gouraud != wire);
+    desk.done("view scene.nff --size 320x240 --keys tsss --shot wire.png");
+    assert!(farop::image::read(&desk.path("wire.png")).expect("a picture") == wire);
+
+    // The inspector answers for the pixel under the pointer.
+    xdotool(&display, &["mousemove", "--window", &window, "150", "110"]);
+    tap(&display, &["s", "t", "i"]);
+    let inspected = saved(3);
+    desk.done("view scene.nff --size 320x240 --keys <at:150,110>i --shot why.png");
+    let expected = farop::image::read(&desk.path("why.png")).expect("a picture");
+    // Frames a second are shown in the window alone, in the text: the lens is compared.
+    let lens = |picture: &farop::image::Picture| -> Vec<_> {
+        (120..240).flat_map(|y| (200..320).map(move |x| (x, y))).map(|(x, y)| picture.pixel(x, y)).collect()
+    };
+    assert!(lens(&inspected) == lens(&expected));
+
+    // A path is recorded, written and played, and the eye ends where the path does.
+    tap(&display, &["i", "c", "Up", "Up", "p"]);
+    std::thread::sleep(Duration::from_millis(300));
+    tap(&display, &["p", "space", "w"]);
+    let path = wait_for("the path", || std::fs::read_to_string(desk.path("farop-path.txt")).ok());
+    let poses = farop::view::path::read_path(&path).expect("a path");
+    assert!(poses.len() > 1 && poses[0].from != poses[poses.len() - 1].from, "{} poses", poses.len());
+    tap(&display, &["v", "t", "o"]);
+
+    // A broken scene is told, the picture stays, the window too; a good one is taken again.
+    std::fs::write(&scene, text.replace("p 4", "p 5")).expect("the folder is writable");
+    std::thread::sleep(Duration::from_millis(1500));
+    let broken = saved(4);
+    std::fs::write(&scene, &text).expect("the folder is writable");
+    std::thread::sleep(Duration::from_millis(1500));
+    assert!(saved(5) != broken);
+
+    // Another size.
+    xdotool(&display, &["windowsize", "--sync", &window, "400", "200"]);
+    wait_for("the new size", || {
+        let picture = saved_next(&desk, &display)?;
+        ((picture.width(), picture.height()) == (400, 200)).then_some(())
+    });
+
+    // q ends it, with exit code 0.
+    tap(&display, &["q"]);
+    let status = wait_for("the end", || farop.0.try_wait().expect("it can be asked"));
+    assert!(status.success(), "{status}");
+}
+
+/// Saves once more, whatever the number, and reads the newest picture.
+fn saved_next(desk: &Desk, display: &str) -> Option<farop::image::Picture> {
+    tap(display, &["f"]);
+    std::thread::sleep(Duration::from_millis(300));
+    let newest = desk.entries().into_iter().filter(|name| name.starts_with("farop-0")).next_back()?;
+    farop::image::read(&desk.path(&newest)).ok()
+}
