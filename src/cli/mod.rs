@@ -27,6 +27,7 @@ mod stages;
 mod stats;
 pub mod student;
 mod suite;
+mod terrain;
 mod why;
 
 use crate::raster::{Registry, external};
@@ -98,6 +99,7 @@ enum Command {
     Convert(convert::ConvertCommand),
     Generate(generate::GenerateCommand),
     Plan(plan::PlanCommand),
+    Terrain(Box<terrain::TerrainCommand>),
     Why(why::WhyCommand),
     List(list::ListCommand),
     /// Student crates
@@ -139,6 +141,7 @@ impl Command {
             Command::Convert(command) => command.run(),
             Command::Generate(command) => command.run(),
             Command::Plan(command) => command.run(registry),
+            Command::Terrain(command) => command.run(registry),
             Command::Why(command) => command.run(registry),
             Command::List(command) => command.run(registry),
             Command::Student { command: StudentCommand::New { name } } => new_student(&name),

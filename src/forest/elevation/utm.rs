@@ -60,8 +60,8 @@ pub fn zone_of(longitude: f64) -> u32 {
 /// Right to a thousandth of a millimetre within 10 degrees of the zone's middle.
 ///
 /// ```
-/// let monchique = farop::forest::elevation::utm(-8.59, 37.32, 29);
-/// assert!((monchique.east - 536_325.0).abs() < 1.0 && (monchique.north - 4_130_478.0).abs() < 1.0);
+/// let monchique = farop::forest::elevation::utm(-8.5936, 37.3158, 29);
+/// assert!((monchique.east - 536_009.861).abs() < 1e-3 && (monchique.north - 4_129_983.446).abs() < 1e-3);
 /// ```
 #[must_use]
 pub fn utm(longitude: f64, latitude: f64, zone: u32) -> Utm {

@@ -63,6 +63,14 @@ impl<'a> Frontier<'a> {
         mesh(self.hierarchy, |middle| self.is_halved(middle))
     }
 
+    /// Halves one diamond, and what must be halved before it; nothing for what is no diamond or touches no sample.
+    pub fn halve(&mut self, middle: Point) {
+        let lattice = &self.hierarchy.lattice;
+        if lattice.diamond(middle).is_some() && lattice.touches(middle) && !self.is_halved(middle) {
+            self.chain(middle).into_iter().for_each(|middle| self.set(middle, true));
+        }
+    }
+
     /// Halves what scores above 1 and joins what no longer does; stops after `most` changes, the most needed halvings first.
     pub fn follow(&mut self, criterion: &impl Criterion, most: usize) -> Changes {
         let (mut worst, mut least) = self.queues(criterion);

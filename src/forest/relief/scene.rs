@@ -174,6 +174,24 @@ pub fn from_above(grid: &Grid) -> Camera {
     }
 }
 
+/// A camera south of the relief that looks north across it, half as high above it as it is wide.
+#[must_use]
+pub fn from_south(grid: &Grid) -> Camera {
+    let [width, height] = grid.extent();
+    let top = grid.range().map_or(0.0, |(_, high)| f64::from(high));
+    let large = width.max(height);
+    Camera {
+        from: Vec3::new(width / 2.0, -0.55 * height, top + 0.5 * large),
+        at: Vec3::new(width / 2.0, 0.42 * height, 0.0),
+        up: Vec3::Z,
+        angle: 40.0,
+        hither: large / 1000.0,
+        yon: None,
+        resolution: (640, 480),
+        place: Place::default(),
+    }
+}
+
 /// Where vertices of the mesh are in the world.
 struct Placer {
     places: Vec<Vec3>,

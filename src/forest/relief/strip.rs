@@ -105,9 +105,10 @@ mod tests {
 
     #[test]
     fn a_strip_has_the_triangles_of_the_mesh() {
-        for (grid, errors) in [(hills(33, 33), [0.0, 20.0, 100.0]), (hills(50, 29), [0.0, 20.0, 100.0]), (with_voids(40, 33), [0.0, 20.0, 100.0])] {
+        // Where faces are cut or missing the strip begins anew more often.
+        for (grid, most) in [(hills(33, 33), 1.8), (hills(50, 29), 2.5), (with_voids(40, 33), 2.5)] {
             let hierarchy = Hierarchy::new(&grid);
-            for error in errors {
+            for error in [0.0, 20.0, 100.0] {
                 let mesh = mesh::within(&hierarchy, error);
                 let strip = strip(&mesh);
                 let (mut said, mut meant) = (unrolled(&strip), triangles(&mesh));
@@ -115,7 +116,7 @@ mod tests {
                 meant.sort_unstable();
                 assert_eq!(said, meant, "{error}");
                 let ratio = strip.len() as f64 / meant.len() as f64;
-                assert!((1.0..2.1).contains(&ratio), "{error}: {ratio}");
+                assert!((1.0..most).contains(&ratio), "{error}: {ratio}");
             }
         }
     }
