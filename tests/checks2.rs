@@ -65,6 +65,11 @@ fn tess() {
     assert!(count(&holds("tess"), "8 segments or more, all tolerances") > 3);
 }
 
+#[test]
+fn relief() {
+    assert!(count(&holds("relief"), "halved and joined") > 100);
+}
+
 /// What is known to be missing is listed in `docs/accuracy-2.md`; anything else is a step back.
 #[test]
 fn extremes() {

@@ -28,6 +28,7 @@ mod stages;
 mod stats;
 pub mod student;
 mod suite;
+mod terrain;
 mod view;
 mod why;
 
@@ -101,6 +102,7 @@ enum Command {
     Convert(convert::ConvertCommand),
     Generate(generate::GenerateCommand),
     Plan(plan::PlanCommand),
+    Terrain(Box<terrain::TerrainCommand>),
     Why(why::WhyCommand),
     View(view::ViewCommand),
     List(list::ListCommand),
@@ -144,6 +146,7 @@ impl Command {
             Command::Convert(command) => command.run(),
             Command::Generate(command) => command.run(),
             Command::Plan(command) => command.run(registry),
+            Command::Terrain(command) => command.run(registry),
             Command::Why(command) => command.run(registry),
             Command::View(command) => command.run(registry),
             Command::List(command) => command.run(registry),

@@ -235,16 +235,16 @@ fn numbers(text: &str) -> Result<Vec<f64>, String> {
     text.split(',').map(finite).collect()
 }
 
-fn finite(text: &str) -> Result<f64, String> {
+pub(super) fn finite(text: &str) -> Result<f64, String> {
     let number = text.trim().parse::<f64>().map_err(|_| format!("`{text}` is not a number"))?;
     if number.is_finite() { Ok(number) } else { Err(format!("`{text}` is not a finite number")) }
 }
 
-fn not_negative(text: &str) -> Result<f64, String> {
+pub(super) fn not_negative(text: &str) -> Result<f64, String> {
     finite(text).and_then(|number| if number >= 0.0 { Ok(number) } else { Err(format!("{number} is negative")) })
 }
 
-fn point(text: &str) -> Result<Vec3, String> {
+pub(super) fn point(text: &str) -> Result<Vec3, String> {
     match numbers(text)?[..] {
         [x, y, z] => Ok(Vec3::new(x, y, z)),
         _ => Err("expected three numbers, as in 1,-2,0.5".to_string()),

@@ -6,7 +6,9 @@
 //! Cost: a few operations an edge and sample.
 
 use super::quarters;
-use super::rules::{BlockEnd, BlockStart, Blocks, Bounds, BoundsBy, Fill, Pieces, Rounding, Rules, Slack, Ties, Winding};
+use super::rules::{
+    BlockEnd, BlockStart, Blocks, Bounds, BoundsBy, Fill, Pieces, Rounding, Rules, Slack, Ties, Winding,
+};
 use super::scan;
 use crate::math::edges;
 

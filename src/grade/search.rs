@@ -2,10 +2,10 @@
 //!
 //! Cost: every mutant draws every case once a round, but stops as soon as it leaves more pixels wrong than could name it.
 
+use super::covering::Covering;
 use super::diagnose::Fault;
 use super::labs::Lab;
 use super::mutants::{self, Mutant};
-use super::covering::Covering;
 use super::paint::{paint, paint_known};
 use super::rules::Rules;
 use super::verdict::{AspectVerdict, Shot, wrong};
@@ -127,7 +127,8 @@ impl<'a> Search<'a> {
     }
 
     fn begin_round(&mut self, rules: Rules) {
-        self.left = (0..self.aspects.len()).map(|aspect| self.mismatches(aspect, &rules, usize::MAX).unwrap_or(0)).collect();
+        self.left =
+            (0..self.aspects.len()).map(|aspect| self.mismatches(aspect, &rules, usize::MAX).unwrap_or(0)).collect();
         self.table = RefCell::new(vec![vec![None; self.aspects.len()]; self.mutants.len()]);
         self.rules = rules;
     }
@@ -210,7 +211,8 @@ impl<'a> Search<'a> {
     /// Whether a mistake is more than what an earlier one, painted not quite as the program does it, left over.
     fn is_no_rest(&self, score: &Score) -> bool {
         let is_much = |aspect: usize| {
-            let gained = self.left[aspect] - self.cell(score.mutant, aspect, self.left[aspect]).unwrap_or(self.left[aspect]);
+            let gained =
+                self.left[aspect] - self.cell(score.mutant, aspect, self.left[aspect]).unwrap_or(self.left[aspect]);
             gained > 0 && gained as f64 >= SHARE_OF_LATER * self.wrong[aspect] as f64
         };
         self.faults.is_empty() || (0..self.left.len()).any(is_much)
@@ -352,7 +354,8 @@ fn concerns(mutant: &Mutant, lab: &Lab, aspects: &[AspectVerdict]) -> bool {
     if !has_lit && !has(|shot| shot.case.faces.iter().any(|face| !face.is_flat())) && rules.cover_at == right.cover_at {
         // Where nothing varies but depth, depth is what is taken elsewhere.
         let at_corner = rules.value_at == (0.0, 0.0);
-        (rules.value_at, rules.clamps) = if at_corner { (rules.value_at, rules.clamps) } else { (right.value_at, right.clamps) };
+        (rules.value_at, rules.clamps) =
+            if at_corner { (rules.value_at, rules.clamps) } else { (right.value_at, right.clamps) };
     }
     if lab.name != "watkins" {
         // Only scan-line programs have spans of several faces.

@@ -1,4 +1,4 @@
-//! Text -> scene: readers of scene files.
+//! Text -> scene: readers of scene files; and of files of heights.
 //!
 //! file -load, input-> Source -tokens, nff or sipp-> SCENE
 //!
@@ -12,6 +12,7 @@ mod bezier;
 pub mod built_in;
 mod foreign;
 mod ftri;
+mod grids;
 mod input;
 mod load;
 mod nff;
@@ -20,6 +21,7 @@ mod tokens;
 mod wording;
 
 pub use bezier::Net as BezierNet;
+pub use grids::{GridOptions, load_grid, read_grid};
 pub use input::{INPUT_LIMIT, LINE_LIMIT};
 pub use load::{Format, load};
 

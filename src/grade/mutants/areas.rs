@@ -2,8 +2,8 @@
 
 use super::{Mutant, drawing, each_of, each_with, family, mutant};
 use crate::grade::rules::{
-    Address, Block, BlockEnd, BlockStart, Blocks, Border, Bounds, BoundsBy, Fill, LineSpans, Memory, Pieces, Place, Quarters, Rules, Shape, Slack,
-    Stencil, Ties, Turned,
+    Address, Block, BlockEnd, BlockStart, Blocks, Border, Bounds, BoundsBy, Fill, LineSpans, Memory, Pieces, Place,
+    Quarters, Rules, Shape, Slack, Stencil, Ties, Turned,
 };
 use crate::grade::scan::{Edges, Odd, Pairs, Scan, Slope};
 

@@ -25,6 +25,7 @@ mod predicates;
 mod random;
 mod random_meshes;
 pub mod random_scenes;
+mod relief;
 mod report;
 mod rings;
 mod scenes;
@@ -116,6 +117,11 @@ pub const CHECKS: &[Check] = &[
         name: "tess",
         claim: "outlines of shapes are within the asked tolerance, with hardly more segments than needed",
         run: tess::run,
+    },
+    Check {
+        name: "relief",
+        claim: "reliefs keep their bound without cracks, from scratch or following the eye; only open T-junctions make pinholes",
+        run: relief::run,
     },
     Check {
         name: "metamorphic",

@@ -6,10 +6,10 @@
 mod words;
 
 use super::{Mutant, each_with, mutant};
-use crate::grade::rules::Rules;
 use crate::grade::lines::rule::{
     Around, Ask, At, Axis, Backward, Ends, Faces, Ink, Lost, Pen, Shape, Slope, Step, StepEnds, StepLost, Walk, When,
 };
+use crate::grade::rules::Rules;
 use words::*;
 
 /// A slip in stepping with every common treatment of the ends.
@@ -334,6 +334,15 @@ fn lost(rules: &mut Rules, change: fn(&mut StepLost)) {
 
 /// All of them.
 pub(super) fn all() -> Vec<Mutant> {
-    [one_lost(), SLOPES.concat(), ROWS.concat(), ENDS.concat(), DIAMONDS.concat(), LOST.concat(), SHAPES.concat(), PENS.concat()]
-        .concat()
+    [
+        one_lost(),
+        SLOPES.concat(),
+        ROWS.concat(),
+        ENDS.concat(),
+        DIAMONDS.concat(),
+        LOST.concat(),
+        SHAPES.concat(),
+        PENS.concat(),
+    ]
+    .concat()
 }

@@ -1,18 +1,12 @@
-//! Items 97 to 102: terrain, what is written, and rasterizers of others.
+//! Items 101 and 102: what is written, and rasterizers of others.
 
 use super::tools::ensure;
-use super::{Effort, Item, Outcome, Trial::NotYet, Trial::Run, misbehaving};
+use super::{Effort, Item, Outcome, Trial::Run, misbehaving};
 use crate::image::save::{SaveError, write_streamed, write_whole};
 use std::io::{Error, ErrorKind};
 use std::path::Path;
 
-const NO_TERRAIN: &str = "there is no terrain yet";
-
 pub(super) const ITEMS: &[Item] = &[
-    (97, "a flat heightfield, and one that is a cliff", NotYet(NO_TERRAIN)),
-    (98, "seams between levels of detail: no cracks at any pair", NotYet(NO_TERRAIN)),
-    (99, "a horizon 1e6 m away", NotYet(NO_TERRAIN)),
-    (100, "1e6 trees, whatever their order", NotYet("there is no forest yet")),
     (101, "disk full, closed pipe, no memory: refused, no partial file", Run(writing)),
     (102, "a student's rasterizer that misbehaves: contained and told", Run(|_| misbehaving::outcome())),
 ];
