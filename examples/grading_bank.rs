@@ -3,7 +3,8 @@
 //! cargo run --release --example grading_bank [-- --markdown docs/grading-bank.md] [WORD]
 //!
 //! WORD: only entries whose language, source, slip or lab is that. `--save FILE` keeps what the grader said; `--from FILE` holds it against
-//! the catalogue again, and draws nothing: for when a name was added to the catalogue. `--held` takes the held-out set instead of the bank.
+//! the catalogue again, and draws nothing: for when a name was added to the catalogue. `--held` takes the held-out set instead of the bank,
+//! `--set fresh` the set of `student_rasterizers/bank/fresh`.
 
 use std::process::ExitCode;
 
@@ -30,9 +31,10 @@ fn main() -> ExitCode {
 fn run() -> Result<(), String> {
     let mut words: Vec<String> = std::env::args().skip(1).collect();
     let [markdown, save, from] = ["--markdown", "--save", "--from"].map(|option| taken(&mut words, option));
+    let set = taken(&mut words, "--set");
     let is_held = words.iter().any(|word| word == "--held");
     words.retain(|word| word != "--held");
-    let (mut entries, mut notices) = (if is_held { judge::held_out()? } else { judge::catalogue()? }, Vec::new());
+    let (mut entries, mut notices) = (entries(set, is_held)?, Vec::new());
     entries.retain(|entry| words.iter().all(|word| entry.key().contains(word)));
     let graded = match from {
         Some(path) => read(&path, &entries)?,
@@ -48,6 +50,16 @@ fn run() -> Result<(), String> {
         write(&path, &serde_json::to_string(&reports).map_err(|error| error.to_string())?)?;
     }
     markdown.map_or(Ok(()), |path| write(&path, &(PREFACE.to_string() + &table::markdown(&graded, &notices))))
+}
+
+/// The entries of a set; without a name of the held-out one, or of the bank.
+fn entries(set: Option<String>, is_held: bool) -> Result<Vec<judge::Entry>, String> {
+    match set.as_deref() {
+        Some("fresh") => judge::set("fresh"),
+        Some(other) => Err(format!("--set {other}: there is no such set; expected fresh")),
+        None if is_held => judge::held_out(),
+        None => judge::catalogue(),
+    }
 }
 
 /// The word behind an option; both are taken away.

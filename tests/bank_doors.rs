@@ -21,7 +21,7 @@ const LAB: &str = "zbuffer";
 fn entry(slip: &str) -> Entry {
     let (language, source, truth) = (String::new(), String::new(), String::new());
     let (slip, lab) = (slip.to_string(), LAB.to_string());
-    Entry { language, source, slip, lab, truth, names: Vec::new(), right: false, is_held: false }
+    Entry { language, source, slip, lab, truth, names: Vec::new(), right: false, set: None }
 }
 
 /// What must be the same: names of mistakes, and aspect by aspect the points.

@@ -31,9 +31,9 @@ pub struct Entry {
     /// Nothing is wrong with it.
     #[serde(default)]
     pub right: bool,
-    /// Of the held-out set, whose programs stand in `held/`.
+    /// The folder of another set than the bank, `held` or `fresh`: its programs are built and started one by one.
     #[serde(skip)]
-    pub is_held: bool,
+    pub set: Option<&'static str>,
 }
 
 #[derive(Deserialize)]
@@ -111,8 +111,14 @@ pub fn catalogue() -> Result<Vec<Entry>, String> {
 /// The entries of `held/held.toml`: nobody who improves the grader looks at them.
 #[allow(dead_code, reason = "tests of the bank do not grade them")]
 pub fn held_out() -> Result<Vec<Entry>, String> {
-    let mut entries = read(&kept::folder().join("held/held.toml"))?;
-    entries.iter_mut().for_each(|entry| entry.is_held = true);
+    set("held")
+}
+
+/// The entries of a set that has a folder of its own: `NAME/NAME.toml`.
+#[allow(dead_code, reason = "tests of the bank do not grade them")]
+pub fn set(name: &'static str) -> Result<Vec<Entry>, String> {
+    let mut entries = read(&kept::folder().join(name).join(format!("{name}.toml")))?;
+    entries.iter_mut().for_each(|entry| entry.set = Some(name));
     Ok(entries)
 }
 
@@ -147,7 +153,7 @@ pub fn grade_all(
 }
 
 fn grade_one(entry: &Entry, (temporary, clock): (&Path, Clock)) -> Result<Report, String> {
-    if entry.is_held {
+    if entry.set.is_some() {
         let program = Kept::start(&kept::held_command(entry, temporary)?)?;
         return Ok(report(entry, &verdict_of(entry, &program, clock)?));
     }

@@ -149,11 +149,12 @@ fn done(compiler: &mut Command, file: &Path) -> Result<(), String> {
     Err(format!("{}: {}", file.display(), String::from_utf8_lossy(&run.stderr)))
 }
 
-/// How a program of the held-out set is started; what has to be built is built into `into`. Those in Rust are programs of their own, too.
+/// How a program of a set with a folder of its own is started; what has to be built is built into `into`. Those in Rust are programs of their
+/// own, too.
 pub fn held_command(entry: &Entry, into: &Path) -> Result<Vec<OsString>, String> {
     let (source, slip) = (&entry.source, &entry.slip);
-    let file = |ending: &str| folder().join("held").join(&entry.language).join(format!("{source}.{ending}"));
-    let program = into.join(format!("held-{source}-{slip}-{}", entry.lab));
+    let file = |ending: &str| folder().join(entry.set.unwrap_or("held")).join(&entry.language).join(format!("{source}.{ending}"));
+    let program = into.join(format!("{source}-{slip}-{}", entry.lab));
     match entry.language.as_str() {
         "rust" => {
             let mut rustc = Command::new("rustc");
