@@ -9,9 +9,8 @@
 //! Space: eye space; normals are turned to the side that the eye sees.
 //! Source: Gouraud, "Continuous Shading of Curved Surfaces", IEEE Transactions on Computers C-20(6), 1971.
 
-use super::clip::ClipVertex;
 use super::cull::Survivor;
-use super::hand::Corners;
+use super::project::Corner;
 use super::walk::{EyeMesh, Side};
 use super::Part;
 use crate::color::Rgb;
@@ -121,69 +120,65 @@ impl Lighting {
         self.relight || self.sipp_flat || self.shading == Shading::Phong
     }
 
-    /// Writes what varies at the corners of a polygon into `corners`, and tells how many numbers clipping must carry along.
-    #[inline]
+    /// Writes what varies at the corners of a polygon, `outline` in its mesh, into `corners`.
+    #[inline(always)]
     pub fn light_corners(
         &self,
         (part, mesh, shader): (Part<'_>, &EyeMesh, &Shader),
         survivor: &Survivor,
-        corners: &mut Corners,
+        (outline, corners): (&[u32], &mut [Corner]),
         work: &mut LightWork,
-    ) -> usize {
+    ) {
         if !self.needed {
-            return 0;
+            return;
         }
         let facing = survivor.facing;
         let mut light = |vertex: u32, normal| {
             work.light(shader, part.shading, (mesh.positions[vertex as usize], normal)).to_array()
         };
         if self.is_one_color() {
-            let color = light(corners.outline[0], facing.normal_towards_eye());
-            corners.clip.iter_mut().for_each(|vertex| write(vertex, color));
-            return 3;
+            let color = light(outline[0], facing.normal_towards_eye());
+            corners.iter_mut().for_each(|corner| corner.values = color);
+            return;
         }
         // SIPP knows no facets: polygons of one surface share their normals.
         let is_facet = part.mesh.polygons[survivor.polygon as usize].normals == NormalSource::Facet && !self.sipp_flat;
         let (carries_normals, side) = (self.carries_normals(), Side::of(survivor));
         let mut face_normal = None;
-        for (vertex, &index) in corners.clip.iter_mut().zip(&corners.outline) {
-            let own = mesh.normal(index).filter(|_| !is_facet);
+        for (corner, &index) in corners.iter_mut().zip(outline) {
+            let own = if is_facet { None } else { mesh.normal(index) };
             let mut normal = || match own {
                 Some(normal) => side.turn(normal),
                 None => *face_normal.get_or_insert_with(|| facing.normal_towards_eye()),
             };
-            let values = match own {
-                Some(_) if !carries_normals => mesh.light(index, side),
+            corner.values = match own {
                 _ if carries_normals => normal().to_array(),
-                _ => light(index, normal()),
+                Some(_) => mesh.light(index, side),
+                None => light(index, normal()),
             };
-            write(vertex, values);
         }
-        3
     }
 
-    /// FAROP's order: lights the vertices that are left after clipping, from their normals; SIPP's flat shading the first.
-    pub fn relight(
-        &self,
-        surface: u32,
-        clipped: &mut [ClipVertex],
-        (eye, shader): (&[Vec3], &Shader),
-        work: &mut LightWork,
-    ) {
+    /// How many numbers a vertex carries through clipping.
+    pub fn carried(&self) -> usize {
+        if self.needed { 3 } else { 0 }
+    }
+
+    /// FAROP's order: lights the corners that are left after clipping, from their normals; SIPP's flat shading the first.
+    #[inline]
+    pub fn relight(&self, surface: u32, clipped: &mut [Corner], shader: &Shader, work: &mut LightWork) {
         if !(self.relight || self.sipp_flat) || !self.needed {
             return;
         }
-        let only_first = self.sipp_flat;
-        let mut light = |vertex: &ClipVertex, eye: Vec3| {
-            let [x, y, z, ..] = vertex.attributes;
-            let normal = unit(Vec3::new(x, y, z)).unwrap_or(Vec3::NEG_Z);
-            work.light(shader, surface, (eye, normal)).to_array()
+        let mut light = |corner: &Corner| {
+            let normal = unit(Vec3::from_array(corner.values)).unwrap_or(Vec3::NEG_Z);
+            work.light(shader, surface, (corner.ready.eye, normal)).to_array()
         };
-        if only_first {
-            let color = light(&clipped[0], eye[0]);
-            clipped.iter_mut().for_each(|vertex| write(vertex, color));
+        if self.sipp_flat {
+            let color = light(&clipped[0]);
+            clipped.iter_mut().for_each(|corner| corner.values = color);
         } else {
-            clipped.iter_mut().zip(eye).for_each(|(vertex, &eye)| write(vertex, light(vertex, eye)));
+            clipped.iter_mut().for_each(|corner| corner.values = light(corner));
         }
     }
 
@@ -193,13 +188,11 @@ impl Lighting {
     }
 
     /// Whether what varies is linear over the polygon: all values equal, or three vertices before clipping.
-    #[inline]
-    pub fn is_affine(&self, corners: &[ClipVertex], clipped: &[ClipVertex]) -> bool {
-        let values = |vertex: &ClipVertex| [vertex.attributes[0], vertex.attributes[1], vertex.attributes[2]];
-        let equal = |vertices: &[ClipVertex]| vertices.windows(2).all(|pair| values(&pair[0]) == values(&pair[1]));
+    #[inline(always)]
+    pub fn is_affine(&self, before: &[Corner], clipped: &[Corner]) -> bool {
         // Lit anew, or linear on the screen, the pieces of a triangle are not; else clipping changes nothing.
-        let decided_on = if self.belongs_to_clipped() { clipped } else { corners };
-        decided_on.len() == 3 || equal(decided_on)
+        let decided_on = if self.belongs_to_clipped() { clipped } else { before };
+        decided_on.len() == 3 || decided_on.windows(2).all(|pair| pair[0].values == pair[1].values)
     }
 }
 
@@ -229,9 +222,4 @@ fn eye_light(light: &Light, plan: &Plan) -> EyeLight {
     };
     let color = light.color * light.intensity.unwrap_or(plan.light_intensity);
     EyeLight { source, color: color.map(|light| light.min(BRIGHTEST)) }
-}
-
-/// What varies at a vertex: the first three of its attributes.
-fn write(vertex: &mut ClipVertex, values: [f64; 3]) {
-    vertex.attributes[..3].copy_from_slice(&values);
 }

@@ -7,23 +7,36 @@
 //! Space: clip space in, samples out.
 //! Cost: two divisions and two roundings a corner.
 
-use super::clip::ClipVertex;
 use super::planes::Planes;
 use super::split::{SplitReport, SplitScratch, split};
 use crate::math::Vec3;
 use crate::plan::{DepthFormat, Interpolation, Plan, Varying};
 use crate::screen::{DepthMapping, DrawList, EdgeKind, Grid, PolygonRecord, Precision, ScreenVertex, Source};
 
+/// A vertex made ready for the screen.
+#[derive(Clone, Copy)]
+pub(super) struct Ready {
+    pub screen: ScreenVertex,
+    /// Clip space taken back to eye space: nearly where the vertex comes from, and what planes are made of.
+    pub eye: Vec3,
+    /// 1/w.
+    pub inverse_w: f64,
+}
+
+/// A corner of a polygon on its way to the screen.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Corner {
+    pub ready: Ready,
+    /// What varies: a color, or a normal.
+    pub values: [f64; 3],
+}
+
 /// A polygon ready for the screen: what clipping left of it, and, as far as its planes need it, what it was before.
 pub(super) struct Outline<'a> {
-    /// Its corners before clipping, clip space, with what varies at them.
-    pub before: &'a [ClipVertex],
-    /// The same corners in eye space.
-    pub before_eye: &'a [Vec3],
-    /// The corners that are left, clip space, with what varies at them; the same ones where nothing was cut.
-    pub clipped: &'a [ClipVertex],
-    /// The same corners in eye space.
-    pub clipped_eye: &'a [Vec3],
+    /// Its corners before clipping.
+    pub before: &'a [Corner],
+    /// The corners that are left; the same ones where nothing was cut.
+    pub clipped: &'a [Corner],
     /// What varies is taken from the clipped vertices.
     pub from_clipped: bool,
     /// Newell normal, eye space.
@@ -43,6 +56,7 @@ pub(super) struct Projector {
 /// Memory for polygons that are split.
 #[derive(Default)]
 pub(super) struct Triangles {
+    eye: Vec<Vec3>,
     list: Vec<[u32; 3]>,
     scratch: SplitScratch,
 }
@@ -57,18 +71,18 @@ pub(super) struct ScreenMap {
     pub perspective: bool,
 }
 
+impl Default for Ready {
+    fn default() -> Self {
+        let (homogeneous, edge) = (Vec3::ZERO, EdgeKind::Original);
+        Ready { screen: ScreenVertex { x: 0.0, y: 0.0, homogeneous, edge }, eye: Vec3::ZERO, inverse_w: 0.0 }
+    }
+}
+
 impl Outline<'_> {
-    /// A corner that fixes what is linear over the polygon, in eye space, with what varies there.
-    #[inline]
-    pub fn fixing(&self, corner: usize) -> (Vec3, [f64; 3]) {
-        let before = self.affine && !self.from_clipped;
-        let (vertex, eye) = if before {
-            (&self.before[corner], self.before_eye[corner])
-        } else {
-            (&self.clipped[corner], self.clipped_eye[corner])
-        };
-        let [a, b, c, ..] = vertex.attributes;
-        (eye, [a, b, c])
+    /// A corner that fixes what is linear over the polygon.
+    #[inline(always)]
+    pub fn fixing(&self, corner: usize) -> &Corner {
+        if self.affine && !self.from_clipped { &self.before[corner] } else { &self.clipped[corner] }
     }
 }
 
@@ -104,13 +118,6 @@ impl Projector {
         list.depth_mapping = DepthMapping { format: plan.choices.depth, nearest, farthest };
     }
 
-    /// A clip-space position in eye space.
-    #[inline]
-    pub fn to_eye(&self, vertex: &ClipVertex) -> Vec3 {
-        let (kx, ky) = self.clip_from_eye;
-        Vec3::new(vertex.position.x / kx, vertex.position.y / ky, vertex.position.z)
-    }
-
     /// An eye-space position in clip space.
     #[inline]
     pub fn to_clip(&self, eye: Vec3) -> Vec3 {
@@ -118,29 +125,41 @@ impl Projector {
         Vec3::new(eye.x * kx, eye.y * ky, eye.z)
     }
 
-    /// A number that is the same at all corners `before` clipping: it stays the same, to the last bit, at the vertices that clipping
-    /// makes.
+    /// A vertex in clip space, made ready for the screen.
     #[inline]
-    pub fn constants(&self, before: &[ClipVertex]) -> [Option<f64>; 3] {
-        let varies = self.planes.varying != Varying::Nothing;
-        [0, 1, 2].map(|number| {
-            let value = before[0].attributes[number];
-            (varies && before.iter().all(|corner| corner.attributes[number] == value)).then_some(value)
-        })
+    pub fn ready(&self, clip: Vec3, edge: EdgeKind) -> Ready {
+        let (kx, ky) = self.clip_from_eye;
+        let eye = Vec3::new(clip.x / kx, clip.y / ky, clip.z);
+        Ready { screen: self.planes.screen.vertex(clip, edge), eye, inverse_w: 1.0 / clip.z }
+    }
+
+    /// Gives the vertices that are left the numbers that are the same at all corners before clipping: they stay the same, to the
+    /// last bit.
+    #[inline(always)]
+    pub fn constants(&self, before: &[Corner]) -> [Option<f64>; 3] {
+        let mut constants = [None; 3];
+        for (number, constant) in constants.iter_mut().enumerate() {
+            let value = before[0].values[number];
+            let is_constant = self.planes.varying != Varying::Nothing
+                && before.iter().all(|corner| corner.values[number] == value);
+            *constant = is_constant.then_some(value);
+        }
+        constants
     }
 
     /// Adds a polygon to `list`, whole.
-    #[inline]
+    #[inline(always)]
     pub fn emit(&self, outline: &Outline<'_>, (surface, source): (u32, Source), list: &mut DrawList) {
         let first_plane = self.planes.push(outline, [0, 1, 2], &mut list.planes);
         let (first_vertex, vertex_count) = (list.vertices.len() as u32, outline.clipped.len() as u32);
-        let screen = &self.planes.screen;
-        list.vertices.extend(outline.clipped.iter().map(|vertex| screen.vertex(vertex.position, vertex.edge)));
-        (0..outline.clipped.len()).for_each(|corner| self.push_values(outline, corner, list));
+        for corner in outline.clipped {
+            list.vertices.push(corner.ready.screen);
+            self.push_values(corner, &mut list.values);
+        }
         list.polygons.push(PolygonRecord { first_vertex, vertex_count, first_plane, surface, source });
     }
 
-    /// Adds a polygon to `list`, in triangles.
+    /// Adds a polygon of four corners or more to `list`, in triangles.
     pub fn emit_triangles(
         &self,
         outline: &Outline<'_>,
@@ -148,12 +167,10 @@ impl Projector {
         triangles: &mut Triangles,
         list: &mut DrawList,
     ) -> SplitReport {
-        if outline.clipped.len() == 3 {
-            self.emit(outline, owner, list);
-            return SplitReport::default();
-        }
         triangles.list.clear();
-        let report = split(outline.clipped_eye, outline.newell, &mut triangles.scratch, &mut triangles.list);
+        triangles.eye.clear();
+        triangles.eye.extend(outline.clipped.iter().map(|corner| corner.ready.eye));
+        let report = split(&triangles.eye, outline.newell, &mut triangles.scratch, &mut triangles.list);
         // Triangles of a polygon over which everything is linear share its planes: the picture is that of the whole.
         let shared = outline.affine.then(|| self.planes.push(outline, [0, 1, 2], &mut list.planes));
         for &triangle in &triangles.list {
@@ -172,24 +189,24 @@ impl Projector {
     ) {
         let first_vertex = list.vertices.len() as u32;
         let count = outline.clipped.len() as u32;
-        for (corner, leads_to) in [(0, 1), (1, 2), (2, 0)].map(|(from, to)| (triangle[from], triangle[to])) {
-            let vertex = &outline.clipped[corner as usize];
-            let edge = if leads_to == (corner + 1) % count { vertex.edge } else { EdgeKind::Diagonal };
-            list.vertices.push(self.planes.screen.vertex(vertex.position, edge));
-            self.push_values(outline, corner as usize, list);
+        for (from, to) in [(0, 1), (1, 2), (2, 0)] {
+            let corner = &outline.clipped[triangle[from] as usize];
+            let is_original = triangle[to] == (triangle[from] + 1) % count;
+            let edge = if is_original { corner.ready.screen.edge } else { EdgeKind::Diagonal };
+            list.vertices.push(ScreenVertex { edge, ..corner.ready.screen });
+            self.push_values(corner, &mut list.values);
         }
         list.polygons.push(PolygonRecord { first_vertex, vertex_count: 3, first_plane, surface, source });
     }
 
-    #[inline]
-    fn push_values(&self, outline: &Outline<'_>, corner: usize, list: &mut DrawList) {
+    #[inline(always)]
+    fn push_values(&self, corner: &Corner, values: &mut Vec<f64>) {
         if self.planes.varying == Varying::Nothing {
             return;
         }
-        let [a, b, c, ..] = outline.clipped[corner].attributes;
-        list.values.extend([a, b, c]);
+        values.extend_from_slice(&corner.values);
         if self.planes.varying == Varying::NormalEye {
-            list.values.extend(outline.clipped_eye[corner].to_array());
+            values.extend_from_slice(&corner.ready.eye.to_array());
         }
     }
 }
@@ -211,14 +228,14 @@ impl ScreenMap {
     }
 
     /// An eye-space point on the screen, not snapped; z is 0.
-    #[inline]
+    #[inline(always)]
     pub fn exact(&self, eye: Vec3) -> Vec3 {
         let (half_width, half_height) = self.half;
         Vec3::new(half_width + eye.x / eye.z * self.scale, half_height - eye.y / eye.z * self.scale, 0.0)
     }
 
     /// Coefficients over samples of a functional on (X, Y, 1), X = x/w, Y = y/w.
-    #[inline]
+    #[inline(always)]
     pub fn plane(&self, functional: Vec3) -> [f64; 3] {
         let (a, b) = (functional.x / self.scale, -functional.y / self.scale);
         [a, b, functional.z - a * self.half.0 - b * self.half.1]
