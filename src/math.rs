@@ -119,7 +119,7 @@ pub fn exponent(x: f64) -> i64 {
 
 /// The largest magnitude of any coordinate; NaN where one is not a number.
 #[must_use]
-#[inline]
+#[inline(always)]
 pub fn largest_coordinate(points: &[Vec3]) -> f64 {
     // Without its sign a number has the same order as its bits, and NaN comes last. Three at a time do not wait for each other.
     let magnitude = |x: f64| x.to_bits() & (u64::MAX >> 1);
@@ -140,7 +140,7 @@ pub fn largest_coordinate(points: &[Vec3]) -> f64 {
 /// Source: Sutherland, Sproull and Schumacker, "A Characterization of Ten Hidden-Surface Algorithms",
 /// ACM Computing Surveys 6(1), 1974, who credit M. Newell.
 #[must_use]
-#[inline]
+#[inline(always)]
 pub fn newell_normal(outline: &[Vec3]) -> Vec3 {
     let [origin, rest @ ..] = outline else { return Vec3::ZERO };
     let scale = ordinary_scale(largest_coordinate(outline));

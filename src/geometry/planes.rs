@@ -93,19 +93,17 @@ impl Space<'_> {
     #[inline(always)]
     fn push_values<'v>(&self, at_corners: impl Iterator<Item = &'v Corner> + Clone, planes: &mut Vec<Plane>) {
         let screen = &self.planes.screen;
-        let three = self.triangle.map(|corner| self.outline.fixing(corner as usize));
-        let [a, b, c] = three;
+        let [a, b, c] = self.triangle;
+        let [a, b, c] = [self.outline.fixing(a as usize), self.outline.fixing(b as usize), self.outline.fixing(c as usize)];
+        let value_range = |number: usize| range(at_corners.clone().map(|corner| corner.values[number]));
+        let value_ranges = [value_range(0), value_range(1), value_range(2)];
         // Gradients are the same for all numbers; where all are constant nobody asks.
-        let mut gradients = None;
-        for number in 0..3 {
+        let varies = value_ranges.iter().any(|range| range.0 != range.1);
+        let gradients = if varies { self.gradients([a.ready.eye, b.ready.eye, c.ready.eye]) } else { None };
+        for (number, value_range) in value_ranges.into_iter().enumerate() {
             let values = [a.values[number], b.values[number], c.values[number]];
-            let value_range = range(at_corners.clone().map(|corner| corner.values[number]));
-            if value_range.0 == value_range.1 {
-                planes.push(Plane::constant(values[0], screen.precision));
-                continue;
-            }
-            let known = gradients.get_or_insert_with(|| self.gradients([a.ready.eye, b.ready.eye, c.ready.eye]));
-            let Some(coefficients) = known.as_ref().and_then(|gradients| self.coefficients(gradients, values)) else {
+            let gradients = if value_range.0 == value_range.1 { None } else { gradients.as_ref() };
+            let Some(coefficients) = gradients.and_then(|gradients| self.coefficients(gradients, values)) else {
                 // A triangle without area covers next to nothing; its first corner speaks for it.
                 planes.push(Plane::constant(values[0], screen.precision));
                 continue;
@@ -153,7 +151,7 @@ impl Gradients {
     #[inline(always)]
     fn over(points: [Vec3; 3]) -> Option<Gradients> {
         let scale = ordinary_scale(largest_coordinate(&points));
-        let points = points.map(|point| point * scale);
+        let points = [points[0] * scale, points[1] * scale, points[2] * scale];
         let (first, second) = (points[1] - points[0], points[2] - points[0]);
         let normal = first.cross(second);
         let squared = normal.length_squared();
@@ -172,9 +170,12 @@ impl Gradients {
     }
 }
 
+/// The least and the greatest; of two zeros the first, whatever its sign (`f64::min` may choose either).
 #[inline(always)]
 fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
-    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
+    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
+        (if value < low { value } else { low }, if value > high { value } else { high })
+    })
 }
 
 #[cfg(test)]
