@@ -79,9 +79,9 @@ pub struct Work {
 }
 
 impl Counts {
-    /// Counts a polygon that enters the pipeline.
-    pub fn add_polygon(&mut self, tessellated: bool) {
-        *(if tessellated { &mut self.tessellated.polygons } else { &mut self.polygons }) += 1;
+    /// Counts polygons that enter the pipeline.
+    pub fn add_polygons(&mut self, tessellated: bool, count: u64) {
+        *(if tessellated { &mut self.tessellated.polygons } else { &mut self.polygons }) += count;
     }
 
     /// Counts a polygon dropped by culling.

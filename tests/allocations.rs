@@ -4,7 +4,10 @@
 
 mod support;
 
+use farop::geometry::Stage;
+use farop::math::Vec3;
 use farop::plan::{Accepts, Choices, Plan, Shading};
+use farop::scene::{Primitive, Scene, Shape};
 use farop::screen::DrawList;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -50,16 +53,40 @@ fn second_run(polygons: usize, choices: &Choices) -> u64 {
     ALLOCATIONS.load(Ordering::Relaxed) - before
 }
 
+/// Allocations of frames that a stage makes after its first two, while the camera moves through polygons with shared vertices and shapes.
+fn later_frames(choices: &Choices) -> u64 {
+    let mix = Mix { polygons: 2000, corners: (3, 6), distance: (0.5, 9.0), spread: 1.0, ..Mix::default() };
+    let mut scene = mix.scene(64);
+    let sphere = Shape::Sphere { center: Vec3::NEG_Z * 3.0, radius: 0.5 };
+    scene.surfaces[1].primitives.push(Primitive::new(sphere, 100, 1));
+    let walk = |scene: &mut Scene, step: u32| {
+        let camera = scene.camera.as_mut().expect("has one");
+        // To and fro, so that the first two frames are the largest there will be.
+        camera.from.x = [0.0, 0.25][step as usize % 2];
+        Plan::new(scene, choices, Accepts::AnyPolygon).expect("has a view")
+    };
+    let (mut stage, mut list, mut allocations) = (Stage::default(), DrawList::new(0, 0), 0);
+    for step in 0..6 {
+        let plan = walk(&mut scene, step);
+        let before = ALLOCATIONS.load(Ordering::Relaxed);
+        let counts = stage.run(&scene, &plan, &mut list);
+        assert!(counts.cut > 200 && counts.tessellated.rendered > 10, "{counts:?}");
+        allocations += if step < 2 { 0 } else { ALLOCATIONS.load(Ordering::Relaxed) - before };
+    }
+    allocations
+}
+
 /// One test: others would run beside it and be counted.
 #[test]
 fn nothing_is_allocated_per_polygon() {
     for shading in [Shading::Gouraud, Shading::Phong, Shading::Flat, Shading::Wire] {
         for triangles in [false, true] {
-            let choices = Choices { shading, triangles, ..Choices::default() };
+            let choices = Choices { shading, triangles, threads: Some(1), ..Choices::default() };
             let [few, many] = [100, 10_000].map(|polygons| second_run(polygons, &choices));
             println!("{shading:?}, triangles {triangles}: {few} and {many} allocations");
             // Buffers that grow to the largest polygon may double once more among many.
             assert!(many <= few + 8 && many < 80, "{shading:?}: {few} for 100 polygons, {many} for 10,000");
+            assert_eq!(later_frames(&choices), 0, "{shading:?}: a stage that has its memory takes no more");
         }
     }
 }

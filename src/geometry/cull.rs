@@ -99,6 +99,7 @@ impl Facing {
 
     /// The unit normal on the side that the eye sees.
     #[must_use]
+    #[inline]
     pub fn normal_towards_eye(&self) -> Vec3 {
         match *self {
             Facing::Front { newell } => crate::math::unit(-newell).unwrap_or(Vec3::NEG_Z),

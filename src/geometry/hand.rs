@@ -11,9 +11,9 @@
 use super::clip::{ClipVertex, ClipVolume, Clipped, Clipper, MAX_ATTRIBUTES, Outcode};
 use super::cull::Survivor;
 use super::light::LightWork;
-use super::project::{Outline, Projector, Triangles};
+use super::project::{Corner, Outline, Triangles};
 use super::tessellate::Tessellator;
-use super::walk::{AskedRange, EyeMesh};
+use super::walk::{Asked, EyeMesh};
 use super::{ClippedPolygon, EyePolygon, Facing, Part, Setting, Task, Trace, split, wear};
 use crate::math::Vec3;
 use crate::plan::{ClipPlane, Culling, Split};
@@ -39,24 +39,22 @@ pub(super) struct Hand {
     survivors: Vec<Survivor>,
     /// Corners of an outline, eye space.
     places: Vec<Vec3>,
-    corners: Corners,
-    /// What clipping left of the polygon in hand.
-    clipped: Vec<ClipVertex>,
-    clipped_eye: Vec<Vec3>,
+    /// The polygon in hand: indices into its mesh, the first is the file's first; its corners; what clipping left of it.
+    outline: Vec<u32>,
+    corners: Vec<Corner>,
+    clipped: Vec<Corner>,
+    /// It, as clipping sees it.
+    polygon: Vec<ClipVertex>,
     clipper: Clipper,
     crossing: split::Crossing,
     triangles: Triangles,
 }
 
-/// The polygon in hand: its corners, and what varies at them.
-#[derive(Default)]
-pub(super) struct Corners {
-    /// Indices into the mesh; the first is the file's first.
-    pub outline: Vec<u32>,
-    /// Clip space.
-    pub clip: Vec<ClipVertex>,
-    /// Clip space taken back to eye space: nearly where they come from, and what planes are made of.
-    pub eye: Vec<Vec3>,
+/// What the polygons of a part have in common on their way to the screen.
+struct Way<'a> {
+    part: Part<'a>,
+    mesh: &'a EyeMesh,
+    setting: &'a Setting<'a>,
 }
 
 impl Hand {
@@ -116,16 +114,17 @@ impl Hand {
             survivors.clear();
             self.cull(part, mesh, start..(start + AT_ONCE).min(range.end), setting, &mut survivors);
             mesh.ask(part, &survivors);
-            self.light_asked(mesh.unlit(), part, setting);
-            self.emit(part, mesh, &survivors, setting, list);
+            self.compute(mesh.asked(), part, setting);
+            self.emit((part, mesh), &survivors, setting, list);
         }
         self.survivors = survivors;
     }
 
-    /// Light: computes what survivors asked for.
-    pub fn light_asked(&mut self, asked: AskedRange<'_>, part: Part<'_>, setting: &Setting<'_>) {
+    /// Brings to the screen and lights what survivors asked for.
+    pub fn compute(&mut self, asked: Asked<'_>, part: Part<'_>, setting: &Setting<'_>) {
         let of = (part, setting.shader);
-        asked.fill(|vertex, point| setting.lighting.vertex_light(of, vertex, point, &mut self.light));
+        let light = |vertex, point| setting.lighting.vertex_light(of, vertex, point, &mut self.light);
+        asked.compute(setting.projector, light);
     }
 
     /// Adds to `counts`, and to the shader's, what was counted since the last time.
@@ -153,45 +152,39 @@ impl Hand {
         // Where nothing is snapped, nothing is cut at the sides.
         let depths = ClipPlane::Hither.bit() | ClipPlane::Yon.bit();
         let cutting = if setting.plan.is_unsnapped() { depths } else { u8::MAX };
-        let first = range.start;
-        for (number, polygon) in part.mesh.polygons[range].iter().enumerate() {
-            self.counts.add_polygon(part.tessellated);
-            let facing = self.facing(part, mesh, polygon, first + number);
+        for (number, polygon) in (range.start as u32..).zip(&part.mesh.polygons[range.clone()]) {
+            let facing = self.facing(part, mesh, polygon, number);
             match facing {
                 Facing::NotFinite => self.counts.skipped += 1,
                 Facing::Back { .. } | Facing::EdgeOn if !two_sided => self.counts.add_backfacing(part.tessellated),
                 // Seen exactly edge-on it covers nothing, and its depth has no plane.
                 Facing::EdgeOn => self.counts.skipped += 1,
                 Facing::Front { .. } | Facing::Back { .. } => match mesh.outcodes(part.mesh.outline(polygon)) {
-                    (any, 0) => {
-                        let crossed = any & cutting != 0;
-                        survivors.push(Survivor { polygon: (first + number) as u32, facing, crossed });
-                    }
+                    (any, 0) => survivors.push(Survivor { polygon: number, facing, crossed: any & cutting != 0 }),
                     _ => self.counts.add_clipped(part.tessellated),
                 },
             }
         }
+        self.counts.add_polygons(part.tessellated, range.len() as u64);
     }
 
     /// Which way a polygon faces.
     #[inline]
-    fn facing(&mut self, part: Part<'_>, mesh: &EyeMesh, polygon: &Polygon, number: usize) -> Facing {
-        let at = |&index: &u32| mesh.positions[index as usize];
+    fn facing(&mut self, part: Part<'_>, mesh: &EyeMesh, polygon: &Polygon, number: u32) -> Facing {
+        let at = |index: u32| mesh.positions[index as usize];
         // Three corners need no memory.
         let facing = match (part.mesh.outline(polygon), part.mirrored) {
-            ([a, b, c], false) => Facing::of(&[a, b, c].map(at)),
-            ([a, b, c], true) => Facing::of(&[a, c, b].map(at)),
+            (&[a, b, c], false) => Facing::of(&[at(a), at(b), at(c)]),
+            (&[a, b, c], true) => Facing::of(&[at(a), at(c), at(b)]),
             _ => {
-                self.corners.collect(part, polygon);
                 self.places.clear();
-                self.places.extend(self.corners.outline.iter().map(at));
+                self.places.extend(part.outline(polygon).map(at));
                 Facing::of(&self.places)
             }
         };
         if let Some(trace) = &mut self.trace {
-            self.corners.collect(part, polygon);
-            let corners = self.corners.outline.iter().map(at).collect();
-            trace.eye.push(EyePolygon { source: part.source(number as u32), corners, facing });
+            let corners = part.outline(polygon).map(at).collect();
+            trace.eye.push(EyePolygon { source: part.source(number), corners, facing });
         }
         facing
     }
@@ -199,86 +192,139 @@ impl Hand {
     /// Light, clip, split, project: appends to `list` what is left of `survivors`.
     pub fn emit(
         &mut self,
-        part: Part<'_>,
-        mesh: &EyeMesh,
+        (part, mesh): (Part<'_>, &EyeMesh),
         survivors: &[Survivor],
         setting: &Setting<'_>,
         list: &mut DrawList,
     ) {
+        let on_the_way = Way { part, mesh, setting };
         for survivor in survivors {
-            self.corners.collect(part, &part.mesh.polygons[survivor.polygon as usize]);
-            self.corners.place(mesh, &setting.projector);
-            // Light belongs to the vertices of the scene (with `relight`, normals take its place until clipping is done).
-            let lit = (part, mesh, setting.shader);
-            let mut carried = setting.lighting.light_corners(lit, survivor, &mut self.corners, &mut self.light);
-            if setting.plan.needs.texture {
-                carried = carried.max(wear::dress(part, &mut self.corners));
-            }
-            if self.clip(part, survivor, carried, setting) {
-                self.relight_and_project((part, mesh), survivor, setting, list);
+            let polygon = &part.mesh.polygons[survivor.polygon as usize];
+            // Three corners need no memory, and what follows is unrolled for them; it is the same code.
+            match (part.mesh.outline(polygon), part.mirrored) {
+                (&[a, b, c], false) if !survivor.crossed => self.inside(&on_the_way, survivor, [a, b, c], list),
+                (&[a, b, c], true) if !survivor.crossed => self.inside(&on_the_way, survivor, [a, c, b], list),
+                _ => self.any(&on_the_way, survivor, list),
             }
         }
+    }
+
+    /// A triangle that no plane cuts.
+    #[inline]
+    fn inside(&mut self, way: &Way<'_>, survivor: &Survivor, outline: [u32; 3], list: &mut DrawList) {
+        let corner = |index| Corner { ready: *way.mesh.ready(index), ..Corner::default() };
+        let mut corners = [corner(outline[0]), corner(outline[1]), corner(outline[2])];
+        way.light(survivor, (&outline, &mut corners), &mut self.light);
+        self.handed_on(way, survivor, &outline, &corners);
+        self.project(way, survivor, (&mut corners, None), list);
+    }
+
+    /// A polygon of any number of corners.
+    fn any(&mut self, way: &Way<'_>, survivor: &Survivor, list: &mut DrawList) {
+        self.outline.clear();
+        self.outline.extend(way.part.outline(&way.part.mesh.polygons[survivor.polygon as usize]));
+        let (outline, mut corners) = (std::mem::take(&mut self.outline), std::mem::take(&mut self.corners));
+        corners.clear();
+        corners.extend(outline.iter().map(|&index| Corner { ready: *way.mesh.ready(index), ..Corner::default() }));
+        // Light belongs to the vertices of the scene (with `relight`, normals take its place until clipping is done).
+        way.light(survivor, (&outline, &mut corners), &mut self.light);
+        self.clipped.clear();
+        let is_in_view = if survivor.crossed {
+            self.clip(way, survivor, &outline, &corners)
+        } else {
+            self.handed_on(way, survivor, &outline, &corners);
+            true
+        };
+        if is_in_view {
+            let mut clipped = std::mem::take(&mut self.clipped);
+            let cut = (!clipped.is_empty()).then_some(clipped.as_mut_slice());
+            self.project(way, survivor, (&mut corners, cut), list);
+            self.clipped = clipped;
+        }
+        (self.outline, self.corners) = (outline, corners);
     }
 
     /// Clip: leaves in `clipped` what lies inside the view volume, or nothing where all of it does; `false` when none of it does.
     ///
     /// A polygon that crosses no plane passes untouched, to the last bit.
-    fn clip(&mut self, part: Part<'_>, survivor: &Survivor, carried: usize, setting: &Setting<'_>) -> bool {
-        self.clipped.clear();
-        if survivor.crossed {
-            let view = &setting.plan.view;
-            let volume = ClipVolume { hither: view.hither, yon: Some(view.yon) };
-            let planes = if setting.plan.is_unsnapped() { Outcode::DEPTHS } else { Outcode::ALL };
-            match self.clipper.clip_by(planes, &self.corners.clip, &volume, carried) {
-                Clipped::Inside => {}
-                Clipped::Cut(vertices) => self.clipped.extend_from_slice(vertices),
-                Clipped::Outside => {
-                    self.counts.add_clipped(part.tessellated);
-                    return false;
+    fn clip(&mut self, way: &Way<'_>, survivor: &Survivor, outline: &[u32], corners: &[Corner]) -> bool {
+        let Way { part, setting, .. } = *way;
+        let view = &setting.plan.view;
+        let volume = ClipVolume { hither: view.hither, yon: Some(view.yon) };
+        let planes = if setting.plan.is_unsnapped() { Outcode::DEPTHS } else { Outcode::ALL };
+        self.polygon.clear();
+        self.polygon.extend(outline.iter().zip(corners).map(|(&index, corner)| way.clip_vertex(index, corner)));
+        match self.clipper.clip_by(planes, &self.polygon, &volume, way.carried()) {
+            Clipped::Inside => self.handed_on(way, survivor, outline, corners),
+            Clipped::Cut(vertices) => {
+                self.counts.add_rendered(part.tessellated, true, vertices.len());
+                if let Some(trace) = &mut self.trace {
+                    let source = part.source(survivor.polygon);
+                    trace.clipped.push(ClippedPolygon { source, vertices: vertices.to_vec() });
                 }
-                Clipped::NotFinite => {
-                    self.counts.skipped += 1;
-                    return false;
-                }
+                self.clipped.extend(vertices.iter().map(|vertex| {
+                    let [a, b, c, u, v, red, green, blue] = vertex.attributes;
+                    let ready = setting.projector.ready(vertex.position, vertex.edge);
+                    Corner { ready, values: [a, b, c], place: [u, v], factor: [red, green, blue] }
+                }));
             }
-        }
-        let left = if self.clipped.is_empty() { &mut self.corners.clip } else { &mut self.clipped };
-        self.counts.add_rendered(part.tessellated, survivor.crossed, left.len());
-        if let Some(trace) = &mut self.trace {
-            trace.clipped.push(ClippedPolygon { source: part.source(survivor.polygon), vertices: left.clone() });
+            Clipped::Outside => {
+                self.counts.add_clipped(part.tessellated);
+                return false;
+            }
+            Clipped::NotFinite => {
+                self.counts.skipped += 1;
+                return false;
+            }
         }
         true
     }
 
-    /// Relight where that is chosen, split where the plan says so, and project to the screen.
+    /// Counts a polygon that passes clipping as it was.
+    #[inline]
+    fn handed_on(&mut self, way: &Way<'_>, survivor: &Survivor, outline: &[u32], corners: &[Corner]) {
+        self.counts.add_rendered(way.part.tessellated, survivor.crossed, corners.len());
+        if let Some(trace) = &mut self.trace {
+            let vertices = outline.iter().zip(corners).map(|(&index, corner)| way.clip_vertex(index, corner)).collect();
+            trace.clipped.push(ClippedPolygon { source: way.part.source(survivor.polygon), vertices });
+        }
+    }
+
+    /// Relight where that is chosen, split where the plan says so, and project to the screen: the corners before clipping, and what
+    /// clipping left where it cut.
     ///
     /// An outline that crosses itself has no triangles that cover what even-odd covers: it stays whole, if it may, and what
     /// varies follows its first three corners.
-    #[inline]
-    fn relight_and_project(
+    #[inline(always)]
+    fn project(
         &mut self,
-        (part, mesh): (Part<'_>, &EyeMesh),
+        way: &Way<'_>,
         survivor: &Survivor,
-        setting: &Setting<'_>,
+        (before, cut): (&mut [Corner], Option<&mut [Corner]>),
         list: &mut DrawList,
     ) {
-        let (lighting, newell) = (&setting.lighting, survivor.facing.newell());
-        let crossing = self.crosses_itself(part, mesh, newell);
-        let Hand { corners: Corners { clip: before, eye: before_eye, .. }, clipped, clipped_eye, .. } = self;
+        let Way { part, setting, .. } = *way;
+        let (lighting, newell) = (setting.lighting, survivor.facing.newell());
         let from_clipped = lighting.belongs_to_clipped();
         let constants = setting.projector.constants(before);
-        clipped_eye.clear();
-        clipped_eye.extend(clipped.iter().map(|vertex| setting.projector.to_eye(vertex)));
-        let (left, left_eye) =
-            if clipped.is_empty() { (&mut *before, &*before_eye) } else { (&mut *clipped, &*clipped_eye) };
-        lighting.relight(part.shading, left, (left_eye, setting.shader), &mut self.light);
-        if !from_clipped {
-            left.iter_mut().for_each(|vertex| hold(vertex, constants));
-        }
-        let (clipped, clipped_eye) =
-            if clipped.is_empty() { (&*before, &*before_eye) } else { (&*clipped, &*clipped_eye) };
-        let affine = crossing || lighting.is_affine(before, clipped);
-        let outline = Outline { before, before_eye, clipped, clipped_eye, from_clipped, newell, affine };
+        let settle = |left: &mut [Corner], work| {
+            lighting.relight(part.shading, left, setting.shader, work);
+            if !from_clipped {
+                left.iter_mut().for_each(|corner| constants.hold(corner));
+            }
+        };
+        let (before, clipped) = match cut {
+            Some(cut) => {
+                settle(cut, &mut self.light);
+                (&*before, &*cut)
+            }
+            None => {
+                settle(before, &mut self.light);
+                (&*before, &*before)
+            }
+        };
+        let affine = self.crosses_itself(way, survivor) || lighting.is_affine(before, clipped);
+        let outline = Outline { before, clipped, from_clipped, newell, affine };
         let owner = (part.shading, part.source(survivor.polygon));
         let split = match setting.plan.needs.split {
             Split::All => true,
@@ -294,50 +340,49 @@ impl Hand {
         }
     }
 
-    /// Whether the outline in hand crosses itself; it is counted. Shapes make none that does, and three corners cannot.
+    /// Whether an outline crosses itself; it is counted. Shapes make none that does, and three corners cannot.
     #[inline]
-    fn crosses_itself(&mut self, part: Part<'_>, mesh: &EyeMesh, newell: Vec3) -> bool {
-        if part.tessellated || self.corners.outline.len() < 4 {
+    fn crosses_itself(&mut self, way: &Way<'_>, survivor: &Survivor) -> bool {
+        let polygon = &way.part.mesh.polygons[survivor.polygon as usize];
+        if way.part.tessellated || polygon.count < 4 {
             return false;
         }
         self.places.clear();
-        self.places.extend(self.corners.outline.iter().map(|&index| mesh.positions[index as usize]));
-        let crosses = self.crossing.is_in(&self.places, newell);
+        self.places.extend(way.part.outline(polygon).map(|index| way.mesh.positions[index as usize]));
+        let crosses = self.crossing.is_in(&self.places, survivor.facing.newell());
         self.counts.self_crossing += u64::from(crosses);
         crosses
     }
 }
 
-impl Corners {
-    /// Looks up the outline of `polygon`; a mirroring transform turns it round, the first vertex stays first.
-    #[inline]
-    fn collect(&mut self, part: Part<'_>, polygon: &Polygon) {
-        self.outline.clear();
-        self.outline.extend_from_slice(part.mesh.outline(polygon));
-        if part.mirrored {
-            self.outline[1..].reverse();
+impl Way<'_> {
+    /// Light: what varies at the corners of an outline.
+    #[inline(always)]
+    fn light(&self, survivor: &Survivor, (outline, corners): (&[u32], &mut [Corner]), work: &mut LightWork) {
+        let lit = (self.part, self.mesh, self.setting.shader);
+        self.setting.lighting.light_corners(lit, survivor, (outline, corners), work);
+        if self.setting.plan.needs.texture {
+            wear::dress(self.part, outline, corners);
         }
     }
 
-    /// Looks up the corners of the outline.
-    #[inline]
-    fn place(&mut self, mesh: &EyeMesh, projector: &Projector) {
-        self.clip.clear();
-        self.clip.extend(self.outline.iter().map(|&index| {
-            let position = projector.to_clip(mesh.positions[index as usize]);
-            ClipVertex { position, ..ClipVertex::default() }
-        }));
-        self.eye.clear();
-        self.eye.extend(self.clip.iter().map(|vertex| projector.to_eye(vertex)));
+    /// How many numbers a vertex carries through clipping.
+    fn carried(&self) -> usize {
+        let places = if self.setting.plan.needs.texture { 5 } else { 0 };
+        self.setting.lighting.carried().max(places)
+    }
+
+    /// A corner as clipping sees it.
+    fn clip_vertex(&self, index: u32, corner: &Corner) -> ClipVertex {
+        let position = self.setting.projector.to_clip(self.mesh.positions[index as usize]);
+        let mut vertex = ClipVertex { position, ..ClipVertex::default() };
+        vertex.attributes = attributes(corner);
+        vertex
     }
 }
 
-/// Gives a vertex the numbers that are the same all over its polygon: to the last bit, also where clipping made it.
-#[inline]
-fn hold(vertex: &mut ClipVertex, constants: [Option<f64>; MAX_ATTRIBUTES]) {
-    for (number, constant) in constants.into_iter().enumerate() {
-        if let Some(value) = constant {
-            vertex.attributes[number] = value;
-        }
-    }
+/// What a corner carries through clipping; what is behind [`Way::carried`] is 0.
+fn attributes(corner: &Corner) -> [f64; MAX_ATTRIBUTES] {
+    let ([a, b, c], [u, v], [red, green, blue]) = (corner.values, corner.place, corner.factor);
+    [a, b, c, u, v, red, green, blue]
 }

@@ -10,9 +10,8 @@
 //! Source: Gouraud, "Continuous Shading of Curved Surfaces", IEEE Transactions on Computers C-20(6), 1971.
 
 use super::Part;
-use super::clip::{ClipVertex, MAX_ATTRIBUTES};
 use super::cull::Survivor;
-use super::hand::Corners;
+use super::project::Corner;
 use super::walk::{EyeMesh, Side};
 use crate::color::Rgb;
 use crate::math::{Vec3, cos, radians, unit};
@@ -35,7 +34,7 @@ pub(super) struct Lighting {
     sipp_flat: bool,
     /// One color a polygon, from the first vertex's own normal.
     vertex_flat: bool,
-    /// Where light comes after clipping, and vertices have colors, colors are carried beside normals until then.
+    /// Where light comes after clipping, and vertices have colors, these are carried beside normals until then.
     carries_factors: bool,
     /// Values run linearly on the screen.
     screen: bool,
@@ -122,6 +121,7 @@ impl Lighting {
     }
 
     /// What the color of the surface is multiplied with at a vertex, if the mesh says so; linear light.
+    #[inline]
     fn factor(&self, part: Part<'_>, vertex: u32) -> Option<Rgb> {
         part.mesh.colors.get(vertex as usize).map(|&color| self.plan.encoding.decode(color))
     }
@@ -148,17 +148,17 @@ impl Lighting {
         self.relight || self.sipp_flat || self.shading == Shading::Phong
     }
 
-    /// Writes what varies at the corners of a polygon into `corners`, and tells how many numbers clipping must carry along.
-    #[inline]
+    /// Writes what varies at the corners of a polygon, `outline` in its mesh, into `corners`.
+    #[inline(always)]
     pub fn light_corners(
         &self,
         (part, mesh, shader): (Part<'_>, &EyeMesh, &Shader),
         survivor: &Survivor,
-        corners: &mut Corners,
+        (outline, corners): (&[u32], &mut [Corner]),
         work: &mut LightWork,
-    ) -> usize {
+    ) {
         if !self.needed {
-            return 0;
+            return;
         }
         let facing = survivor.facing;
         let mut light = |vertex: u32, normal| {
@@ -168,56 +168,55 @@ impl Lighting {
         let is_facet = part.mesh.polygons[survivor.polygon as usize].normals == NormalSource::Facet && !self.sipp_flat;
         let (carries_normals, side) = (self.carries_normals(), Side::of(survivor));
         if self.is_one_color() {
-            let first = corners.outline[0];
-            let own = mesh.normal(first).filter(|_| self.vertex_flat && !is_facet);
-            let color = light(first, own.map_or_else(|| facing.normal_towards_eye(), |normal| side.turn(normal)));
-            corners.clip.iter_mut().for_each(|vertex| write(vertex, color));
-            return LIGHT;
+            let own = if self.vertex_flat && !is_facet { mesh.normal(outline[0]) } else { None };
+            let normal = own.map_or_else(|| facing.normal_towards_eye(), |normal| side.turn(normal));
+            let color = light(outline[0], normal);
+            corners.iter_mut().for_each(|corner| corner.values = color);
+            return;
         }
         let mut face_normal = None;
-        for (vertex, &index) in corners.clip.iter_mut().zip(&corners.outline) {
-            let own = mesh.normal(index).filter(|_| !is_facet);
+        for (corner, &index) in corners.iter_mut().zip(outline) {
+            let own = if is_facet { None } else { mesh.normal(index) };
             let mut normal = || match own {
                 Some(normal) => side.turn(normal),
                 None => *face_normal.get_or_insert_with(|| facing.normal_towards_eye()),
             };
-            let values = match own {
-                Some(_) if !carries_normals => mesh.light(index, side),
+            corner.values = match own {
                 _ if carries_normals => normal().to_array(),
-                _ => light(index, normal()),
+                Some(_) => mesh.light(index, side),
+                None => light(index, normal()),
             };
-            write(vertex, values);
             if self.carries_factors {
-                let factor = self.factor(part, index).unwrap_or(Rgb::WHITE);
-                vertex.attributes[FACTOR..FACTOR + 3].copy_from_slice(&factor.to_array());
+                corner.factor = self.factor(part, index).unwrap_or(Rgb::WHITE).to_array();
             }
         }
-        if self.carries_factors { FACTOR + 3 } else { LIGHT }
     }
 
-    /// FAROP's order: lights the vertices that are left after clipping, from their normals; SIPP's flat shading the first.
-    pub fn relight(
-        &self,
-        surface: u32,
-        clipped: &mut [ClipVertex],
-        (eye, shader): (&[Vec3], &Shader),
-        work: &mut LightWork,
-    ) {
+    /// How many numbers a vertex carries through clipping: factors stand behind the place of texture coordinates.
+    pub fn carried(&self) -> usize {
+        match (self.needed, self.carries_factors) {
+            (false, _) => 0,
+            (true, false) => 3,
+            (true, true) => 8,
+        }
+    }
+
+    /// FAROP's order: lights the corners that are left after clipping, from their normals; SIPP's flat shading the first.
+    #[inline]
+    pub fn relight(&self, surface: u32, clipped: &mut [Corner], shader: &Shader, work: &mut LightWork) {
         if !(self.relight || self.sipp_flat) || !self.needed {
             return;
         }
-        let only_first = self.sipp_flat;
-        let mut light = |vertex: &ClipVertex, eye: Vec3| {
-            let [x, y, z, ..] = vertex.attributes;
-            let normal = unit(Vec3::new(x, y, z)).unwrap_or(Vec3::NEG_Z);
-            let factor = self.carries_factors.then(|| factor_of(vertex).into());
-            work.light(shader, surface, (eye, normal), factor).to_array()
+        let mut light = |corner: &Corner| {
+            let normal = unit(Vec3::from_array(corner.values)).unwrap_or(Vec3::NEG_Z);
+            let factor = self.carries_factors.then(|| corner.factor.into());
+            work.light(shader, surface, (corner.ready.eye, normal), factor).to_array()
         };
-        if only_first {
-            let color = light(&clipped[0], eye[0]);
-            clipped.iter_mut().for_each(|vertex| write(vertex, color));
+        if self.sipp_flat {
+            let color = light(&clipped[0]);
+            clipped.iter_mut().for_each(|corner| corner.values = color);
         } else {
-            clipped.iter_mut().zip(eye).for_each(|(vertex, &eye)| write(vertex, light(vertex, eye)));
+            clipped.iter_mut().for_each(|corner| corner.values = light(corner));
         }
     }
 
@@ -227,13 +226,12 @@ impl Lighting {
     }
 
     /// Whether what varies is linear over the polygon: all values equal, or three vertices before clipping.
-    #[inline]
-    pub fn is_affine(&self, corners: &[ClipVertex], clipped: &[ClipVertex]) -> bool {
-        // What is not carried is 0 everywhere.
-        let equal = |vertices: &[ClipVertex]| vertices.windows(2).all(|pair| pair[0].attributes == pair[1].attributes);
+    #[inline(always)]
+    pub fn is_affine(&self, before: &[Corner], clipped: &[Corner]) -> bool {
         // Lit anew, or linear on the screen, the pieces of a triangle are not; else clipping changes nothing.
-        let decided_on = if self.belongs_to_clipped() { clipped } else { corners };
-        decided_on.len() == 3 || equal(decided_on)
+        let decided_on = if self.belongs_to_clipped() { clipped } else { before };
+        let numbers = |corner: &Corner| (corner.values, corner.place, corner.factor);
+        decided_on.len() == 3 || decided_on.windows(2).all(|pair| numbers(&pair[0]) == numbers(&pair[1]))
     }
 }
 
@@ -263,21 +261,4 @@ fn eye_light(light: &Light, plan: &Plan) -> EyeLight {
     };
     let color = light.color * light.intensity.unwrap_or(plan.light_intensity);
     EyeLight { source, color: color.map(|light| light.min(BRIGHTEST)) }
-}
-
-/// Attributes of a vertex in clip space: color or normal, then two places for texture coordinates, then a factor on the color.
-pub(super) const LIGHT: usize = 3;
-/// Where the factor stands, if the plan says that factors are carried.
-pub(super) const FACTOR: usize = LIGHT + 2;
-const _: () = assert!(FACTOR + 3 == MAX_ATTRIBUTES);
-
-/// What varies at a vertex: the first three of its attributes.
-fn write(vertex: &mut ClipVertex, values: [f64; 3]) {
-    vertex.attributes[..LIGHT].copy_from_slice(&values);
-}
-
-/// The factor on the color at a vertex.
-pub(super) fn factor_of(vertex: &ClipVertex) -> [f64; 3] {
-    let [_, _, _, _, _, r, g, b] = vertex.attributes;
-    [r, g, b]
 }

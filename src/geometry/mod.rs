@@ -36,7 +36,7 @@ use crate::math::Affine3;
 use crate::model;
 use crate::plan::Plan;
 use crate::report::Counts;
-use crate::scene::{Mesh, Scene, Surface, SurfaceId, Walk};
+use crate::scene::{Mesh, Polygon, Scene, Surface, SurfaceId, Walk};
 use crate::screen::{DrawList, Shader, Source};
 use hand::Hand;
 use light::Lighting;
@@ -225,7 +225,15 @@ impl Task {
     }
 }
 
-impl Part<'_> {
+impl<'a> Part<'a> {
+    /// The outline of a polygon, its first vertex first; a mirroring transform turns it round.
+    #[inline]
+    fn outline(&self, polygon: &Polygon) -> impl Iterator<Item = u32> + use<'a> {
+        let (outline, mirrored) = (self.mesh.outline(polygon), self.mirrored);
+        let count = outline.len();
+        (0..count).map(move |corner| outline[if mirrored && corner > 0 { count - corner } else { corner }])
+    }
+
     /// Where polygon `number` of the mesh comes from.
     #[inline]
     fn source(&self, number: u32) -> Source {

@@ -13,13 +13,10 @@
 //! Cost: divisions, hardly anything else: 5 for depth, 6 for the gradients of a polygon, 2 for each value and 1 for each value at
 //! a corner; 48 bytes a plane.
 
-use super::clip::ClipVertex;
-use super::light::{FACTOR, LIGHT};
-use super::project::{Outline, ScreenMap};
+use super::project::{Corner, Outline, ScreenMap};
 use crate::math::{Vec3, largest_coordinate, ordinary_scale};
 use crate::plan::Varying;
 use crate::screen::Plane;
-use std::ops::Range;
 
 /// What planes are made for.
 #[derive(Clone, Copy)]
@@ -33,84 +30,35 @@ pub(super) struct Planes {
 impl Planes {
     /// Adds the depth plane and the varying planes of the polygon, or of one `triangle` of it where it is not affine; returns the
     /// place of the first.
-    #[inline]
+    #[inline(always)]
     pub fn push(&self, outline: &Outline<'_>, triangle: [u32; 3], planes: &mut Vec<Plane>) -> u32 {
         let first_plane = planes.len() as u32;
         if !self.has_depth {
             return first_plane;
         }
         // 1/w over the screen: n/d, from the polygon as it was before clipping.
-        let inverse_w = outline.newell / outline.newell.dot(outline.before_eye[0]);
-        let range = range(outline.clipped.iter().map(|vertex| 1.0 / vertex.position.z));
+        let inverse_w = outline.newell / outline.newell.dot(outline.before[0].ready.eye);
+        let range = range(outline.clipped.iter().map(|corner| corner.ready.inverse_w));
         planes.push(Plane::new(self.screen.plane(inverse_w), range, range, self.screen.precision));
         if self.varying == Varying::Nothing {
             return first_plane;
         }
-        let mut gradients = None;
-        let mut values = |numbers: Range<usize>, planes: &mut Vec<Plane>| {
-            // Over more corners than a plane has room for, the scan line decides (`ScreenPolygon::values`).
-            if self.scan_line && !outline.affine {
-                planes.extend(numbers.map(|number| self.scan_line_rule(outline, number)));
-                return;
-            }
-            let of = (outline, triangle, inverse_w);
-            if outline.affine {
-                let corners = outline.clipped.iter();
-                planes.extend(numbers.map(|number| self.value_plane(of, number, corners.clone(), &mut gradients)));
-            } else {
-                let corners = triangle.iter().map(|&corner| &outline.clipped[corner as usize]);
-                planes.extend(numbers.map(|number| self.value_plane(of, number, corners.clone(), &mut gradients)));
-            }
-        };
-        values(0..LIGHT, planes);
+        let space = Space { planes: self, outline, triangle, inverse_w };
+        space.push(|corner| corner.values, planes);
         if self.varying.has_normals() {
-            planes.extend(self.eye_point_planes(outline.clipped_eye));
+            self.push_eye_point(outline.clipped, planes);
         }
         if self.varying.has_factor() {
-            values(FACTOR..FACTOR + 3, planes);
+            space.push(|corner| corner.factor, planes);
         }
         if self.varying.texture_count() > 0 {
-            values(LIGHT..FACTOR, planes);
+            space.push(|corner| corner.place, planes);
         }
         first_plane
     }
 
-    /// The plane of one number: value / w in space, or the value itself on the screen. `gradients` serve all numbers of the outline.
-    #[inline]
-    fn value_plane<'v>(
-        &self,
-        (outline, triangle, inverse_w): (&Outline<'_>, [u32; 3], Vec3),
-        number: usize,
-        at_corners: impl Iterator<Item = &'v ClipVertex> + Clone,
-        gradients: &mut Option<Option<Gradients>>,
-    ) -> Plane {
-        // Three corners fix what is linear over the polygon.
-        let three = triangle.map(|corner| outline.fixing(corner as usize));
-        let values = three.map(|(_, attributes)| attributes[number]);
-        let value_range = range(at_corners.clone().map(|vertex| vertex.attributes[number]));
-        if value_range.0 == value_range.1 {
-            return Plane::constant(values[0], self.screen.precision);
-        }
-        let points =
-            || if self.screen.perspective { three.map(|at| at.0) } else { three.map(|at| self.screen.exact(at.0)) };
-        let gradients: &Option<Gradients> = gradients.get_or_insert_with(|| Gradients::over(points()));
-        let linear = gradients.as_ref().map(|gradients| gradients.of(values));
-        let (coefficients, plane_range) = if self.screen.perspective {
-            let over_w = range(at_corners.map(|vertex| vertex.attributes[number] / vertex.position.z));
-            (linear.map(|(g, h)| self.screen.plane(g + inverse_w * h)), over_w)
-        } else {
-            (linear.map(|(g, h)| [g.x, g.y, h]), value_range)
-        };
-        match coefficients.filter(|numbers| numbers.iter().all(|number| number.is_finite())) {
-            Some(coefficients) => Plane::new(coefficients, plane_range, value_range, self.screen.precision),
-            // A triangle without area covers next to nothing; its first corner speaks for it.
-            None => Plane::constant(values[0], self.screen.precision),
-        }
-    }
-
     /// In place of a plane: the mark that a number runs along scan lines, with its range at the corners.
-    fn scan_line_rule(&self, outline: &Outline<'_>, number: usize) -> Plane {
-        let range = range(outline.clipped.iter().map(|vertex| vertex.attributes[number]));
+    fn scan_line_rule(&self, range: (f64, f64)) -> Plane {
         if range.0 == range.1 {
             return Plane::constant(range.0, self.screen.precision);
         }
@@ -118,15 +66,98 @@ impl Planes {
     }
 
     /// Planes of the eye point: x/w = X, y/w = Y and z/w = 1, exactly, whatever the polygon.
-    #[inline]
-    fn eye_point_planes(&self, corners: &[Vec3]) -> [Plane; 3] {
-        let mut axis = 0;
-        Vec3::AXES.map(|functional| {
-            let value_range = range(corners.iter().map(|eye| eye[axis]));
-            let plane_range = range(corners.iter().map(|eye| eye[axis] / eye.z));
-            axis += 1;
-            Plane::new(self.screen.plane(functional), plane_range, value_range, self.screen.precision)
+    #[inline(always)]
+    fn push_eye_point(&self, corners: &[Corner], planes: &mut Vec<Plane>) {
+        for (axis, functional) in Vec3::AXES.into_iter().enumerate() {
+            let value_range = range(corners.iter().map(|corner| corner.ready.eye[axis]));
+            let plane_range = range(corners.iter().map(|corner| corner.ready.eye[axis] / corner.ready.eye.z));
+            planes.push(Plane::new(self.screen.plane(functional), plane_range, value_range, self.screen.precision));
+        }
+    }
+}
+
+/// One polygon, or one triangle of it, while the planes of what varies are made.
+struct Space<'a> {
+    planes: &'a Planes,
+    outline: &'a Outline<'a>,
+    /// Three corners that fix what is linear.
+    triangle: [u32; 3],
+    /// The functional of 1/w.
+    inverse_w: Vec3,
+}
+
+impl Space<'_> {
+    /// Adds the planes of N numbers `of` a corner.
+    #[inline(always)]
+    fn push<const N: usize>(&self, of: impl Fn(&Corner) -> [f64; N] + Copy, planes: &mut Vec<Plane>) {
+        let outline = self.outline;
+        // Over more corners than a plane has room for, the scan line decides (`ScreenPolygon::values`).
+        if self.planes.scan_line && !outline.affine {
+            for number in 0..N {
+                let range = range(outline.clipped.iter().map(|corner| of(corner)[number]));
+                planes.push(self.planes.scan_line_rule(range));
+            }
+        } else if outline.affine {
+            self.push_values(of, outline.clipped.iter(), planes);
+        } else {
+            self.push_values(of, self.triangle.iter().map(|&corner| &outline.clipped[corner as usize]), planes);
+        }
+    }
+
+    /// Adds their planes: value / w in space, or the values themselves on the screen.
+    #[inline(always)]
+    fn push_values<'v, const N: usize>(
+        &self,
+        of: impl Fn(&Corner) -> [f64; N],
+        at_corners: impl Iterator<Item = &'v Corner> + Clone,
+        planes: &mut Vec<Plane>,
+    ) {
+        let screen = &self.planes.screen;
+        let [a, b, c] = self.triangle;
+        let [a, b, c] =
+            [self.outline.fixing(a as usize), self.outline.fixing(b as usize), self.outline.fixing(c as usize)];
+        let mut value_ranges = [(0.0, 0.0); N];
+        for (number, value_range) in value_ranges.iter_mut().enumerate() {
+            *value_range = range(at_corners.clone().map(|corner| of(corner)[number]));
+        }
+        // Gradients are the same for all numbers; where all are constant nobody asks.
+        let varies = value_ranges.iter().any(|range| range.0 != range.1);
+        let gradients = if varies { self.gradients([a.ready.eye, b.ready.eye, c.ready.eye]) } else { None };
+        for (number, value_range) in value_ranges.into_iter().enumerate() {
+            let values = [of(a)[number], of(b)[number], of(c)[number]];
+            let gradients = if value_range.0 == value_range.1 { None } else { gradients.as_ref() };
+            let Some(coefficients) = gradients.and_then(|gradients| self.coefficients(gradients, values)) else {
+                // A triangle without area covers next to nothing; its first corner speaks for it.
+                planes.push(Plane::constant(values[0], screen.precision));
+                continue;
+            };
+            let plane_range = match screen.perspective {
+                true => range(at_corners.clone().map(|corner| of(corner)[number] / corner.ready.eye.z)),
+                false => value_range,
+            };
+            planes.push(Plane::new(coefficients, plane_range, value_range, screen.precision));
+        }
+    }
+
+    #[inline(always)]
+    fn gradients(&self, [a, b, c]: [Vec3; 3]) -> Option<Gradients> {
+        let screen = &self.planes.screen;
+        Gradients::over(if screen.perspective {
+            [a, b, c]
+        } else {
+            [screen.exact(a), screen.exact(b), screen.exact(c)]
         })
+    }
+
+    /// Coefficients of one number's plane; `None` if one of them is not finite.
+    #[inline(always)]
+    fn coefficients(&self, gradients: &Gradients, values: [f64; 3]) -> Option<[f64; 3]> {
+        let (g, h) = gradients.of(values);
+        let coefficients = match self.planes.screen.perspective {
+            true => self.planes.screen.plane(g + self.inverse_w * h),
+            false => [g.x, g.y, h],
+        };
+        coefficients.iter().all(|number| number.is_finite()).then_some(coefficients)
     }
 }
 
@@ -144,10 +175,10 @@ struct Gradients {
 
 impl Gradients {
     /// Over three points; `None` where they span no triangle.
-    #[inline]
+    #[inline(always)]
     fn over(points: [Vec3; 3]) -> Option<Gradients> {
         let scale = ordinary_scale(largest_coordinate(&points));
-        let points = points.map(|point| point * scale);
+        let points = [points[0] * scale, points[1] * scale, points[2] * scale];
         let (first, second) = (points[1] - points[0], points[2] - points[0]);
         let normal = first.cross(second);
         let squared = normal.length_squared();
@@ -159,16 +190,19 @@ impl Gradients {
     }
 
     /// `g` and `h` such that g.P + h takes `values` at the three points.
-    #[inline]
+    #[inline(always)]
     fn of(&self, values: [f64; 3]) -> (Vec3, f64) {
         let g = self.weights[0] * (values[1] - values[0]) + self.weights[1] * (values[2] - values[0]);
         (g * self.scale, values[0] - g.dot(self.first))
     }
 }
 
-#[inline]
+/// The least and the greatest; of two zeros the first, whatever its sign (`f64::min` may choose either).
+#[inline(always)]
 fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
-    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
+    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
+        (if value < low { value } else { low }, if value > high { value } else { high })
+    })
 }
 
 #[cfg(test)]

@@ -7,25 +7,40 @@
 //! Space: clip space in, samples out.
 //! Cost: two divisions and two roundings a corner.
 
-use super::clip::{ClipVertex, MAX_ATTRIBUTES};
-use super::light::{LIGHT, factor_of};
 use super::planes::Planes;
 use super::split::{SplitReport, SplitScratch, split};
-use super::wear::place_of;
 use crate::math::Vec3;
 use crate::plan::{DepthFormat, Interpolation, Plan, Varying};
 use crate::screen::{DepthMapping, DrawList, EdgeKind, Grid, PolygonRecord, Precision, ScreenVertex, Source};
 
+/// A vertex made ready for the screen.
+#[derive(Clone, Copy)]
+pub(super) struct Ready {
+    pub screen: ScreenVertex,
+    /// Clip space taken back to eye space: nearly where the vertex comes from, and what planes are made of.
+    pub eye: Vec3,
+    /// 1/w.
+    pub inverse_w: f64,
+}
+
+/// A corner of a polygon on its way to the screen.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Corner {
+    pub ready: Ready,
+    /// What varies: a color, or a normal.
+    pub values: [f64; 3],
+    /// u, v of its texture; 0 where the plan needs none.
+    pub place: [f64; 2],
+    /// What the color of the surface is multiplied with where it is lit later; 0 where it is not, or has one color.
+    pub factor: [f64; 3],
+}
+
 /// A polygon ready for the screen: what clipping left of it, and, as far as its planes need it, what it was before.
 pub(super) struct Outline<'a> {
-    /// Its corners before clipping, clip space, with what varies at them.
-    pub before: &'a [ClipVertex],
-    /// The same corners in eye space.
-    pub before_eye: &'a [Vec3],
-    /// The corners that are left, clip space, with what varies at them; the same ones where nothing was cut.
-    pub clipped: &'a [ClipVertex],
-    /// The same corners in eye space.
-    pub clipped_eye: &'a [Vec3],
+    /// Its corners before clipping.
+    pub before: &'a [Corner],
+    /// The corners that are left; the same ones where nothing was cut.
+    pub clipped: &'a [Corner],
     /// What varies is taken from the clipped vertices.
     pub from_clipped: bool,
     /// Newell normal, eye space.
@@ -45,6 +60,7 @@ pub(super) struct Projector {
 /// Memory for polygons that are split.
 #[derive(Default)]
 pub(super) struct Triangles {
+    eye: Vec<Vec3>,
     list: Vec<[u32; 3]>,
     scratch: SplitScratch,
 }
@@ -59,17 +75,55 @@ pub(super) struct ScreenMap {
     pub perspective: bool,
 }
 
+/// What is the same at all corners of a polygon before clipping, number by number.
+pub(super) struct Constants {
+    values: [Option<f64>; 3],
+    place: [Option<f64>; 2],
+    factor: [Option<f64>; 3],
+}
+
+impl Constants {
+    /// Gives a corner the numbers that are the same all over its polygon: to the last bit, also where clipping made it.
+    #[inline(always)]
+    pub fn hold(&self, corner: &mut Corner) {
+        hold(&mut corner.values, self.values);
+        hold(&mut corner.place, self.place);
+        hold(&mut corner.factor, self.factor);
+    }
+}
+
+#[inline(always)]
+fn hold<const N: usize>(values: &mut [f64; N], constants: [Option<f64>; N]) {
+    for (value, constant) in values.iter_mut().zip(constants) {
+        *value = constant.unwrap_or(*value);
+    }
+}
+
+/// The numbers that are the same at all `corners`; none where there are no corners.
+#[inline(always)]
+fn same<const N: usize>(corners: &[Corner], of: impl Fn(&Corner) -> [f64; N]) -> [Option<f64>; N] {
+    let mut constants = [None; N];
+    if let Some(first) = corners.first() {
+        for (number, constant) in constants.iter_mut().enumerate() {
+            let value = of(first)[number];
+            *constant = corners.iter().all(|corner| of(corner)[number] == value).then_some(value);
+        }
+    }
+    constants
+}
+
+impl Default for Ready {
+    fn default() -> Self {
+        let (homogeneous, edge) = (Vec3::ZERO, EdgeKind::Original);
+        Ready { screen: ScreenVertex { x: 0.0, y: 0.0, homogeneous, edge }, eye: Vec3::ZERO, inverse_w: 0.0 }
+    }
+}
+
 impl Outline<'_> {
-    /// A corner that fixes what is linear over the polygon, in eye space, with what varies there.
-    #[inline]
-    pub fn fixing(&self, corner: usize) -> (Vec3, &[f64; MAX_ATTRIBUTES]) {
-        let before = self.affine && !self.from_clipped;
-        let (vertex, eye) = if before {
-            (&self.before[corner], self.before_eye[corner])
-        } else {
-            (&self.clipped[corner], self.clipped_eye[corner])
-        };
-        (eye, &vertex.attributes)
+    /// A corner that fixes what is linear over the polygon.
+    #[inline(always)]
+    pub fn fixing(&self, corner: usize) -> &Corner {
+        if self.affine && !self.from_clipped { &self.before[corner] } else { &self.clipped[corner] }
     }
 }
 
@@ -105,13 +159,6 @@ impl Projector {
         list.depth_mapping = DepthMapping { format: plan.choices.depth, nearest, farthest };
     }
 
-    /// A clip-space position in eye space.
-    #[inline]
-    pub fn to_eye(&self, vertex: &ClipVertex) -> Vec3 {
-        let (kx, ky) = self.clip_from_eye;
-        Vec3::new(vertex.position.x / kx, vertex.position.y / ky, vertex.position.z)
-    }
-
     /// An eye-space position in clip space.
     #[inline]
     pub fn to_clip(&self, eye: Vec3) -> Vec3 {
@@ -119,32 +166,40 @@ impl Projector {
         Vec3::new(eye.x * kx, eye.y * ky, eye.z)
     }
 
-    /// A number that is the same at all corners `before` clipping: it stays the same, to the last bit, at the vertices that clipping
-    /// makes.
+    /// A vertex in clip space, made ready for the screen.
     #[inline]
-    pub fn constants(&self, before: &[ClipVertex]) -> [Option<f64>; MAX_ATTRIBUTES] {
-        let mut constants = [None; MAX_ATTRIBUTES];
-        if self.planes.varying != Varying::Nothing {
-            for (number, constant) in constants.iter_mut().enumerate() {
-                let value = before[0].attributes[number];
-                *constant = before.iter().all(|corner| corner.attributes[number] == value).then_some(value);
-            }
+    pub fn ready(&self, clip: Vec3, edge: EdgeKind) -> Ready {
+        let (kx, ky) = self.clip_from_eye;
+        let eye = Vec3::new(clip.x / kx, clip.y / ky, clip.z);
+        Ready { screen: self.planes.screen.vertex(clip, edge), eye, inverse_w: 1.0 / clip.z }
+    }
+
+    /// Gives the vertices that are left the numbers that are the same at all corners before clipping: they stay the same, to the
+    /// last bit.
+    #[inline(always)]
+    pub fn constants(&self, before: &[Corner]) -> Constants {
+        let varying = self.planes.varying;
+        let when = |is_there: bool| if is_there { before } else { &[] };
+        Constants {
+            values: same(when(varying != Varying::Nothing), |corner| corner.values),
+            place: same(when(varying.texture_count() > 0), |corner| corner.place),
+            factor: same(when(varying.has_factor()), |corner| corner.factor),
         }
-        constants
     }
 
     /// Adds a polygon to `list`, whole.
-    #[inline]
+    #[inline(always)]
     pub fn emit(&self, outline: &Outline<'_>, (surface, source): (u32, Source), list: &mut DrawList) {
         let first_plane = self.planes.push(outline, [0, 1, 2], &mut list.planes);
         let (first_vertex, vertex_count) = (list.vertices.len() as u32, outline.clipped.len() as u32);
-        let screen = &self.planes.screen;
-        list.vertices.extend(outline.clipped.iter().map(|vertex| screen.vertex(vertex.position, vertex.edge)));
-        (0..outline.clipped.len()).for_each(|corner| self.push_values(outline, corner, list));
+        for corner in outline.clipped {
+            list.vertices.push(corner.ready.screen);
+            self.push_values(corner, &mut list.values);
+        }
         list.polygons.push(PolygonRecord { first_vertex, vertex_count, first_plane, surface, source });
     }
 
-    /// Adds a polygon to `list`, in triangles.
+    /// Adds a polygon of four corners or more to `list`, in triangles.
     pub fn emit_triangles(
         &self,
         outline: &Outline<'_>,
@@ -152,12 +207,10 @@ impl Projector {
         triangles: &mut Triangles,
         list: &mut DrawList,
     ) -> SplitReport {
-        if outline.clipped.len() == 3 {
-            self.emit(outline, owner, list);
-            return SplitReport::default();
-        }
         triangles.list.clear();
-        let report = split(outline.clipped_eye, outline.newell, &mut triangles.scratch, &mut triangles.list);
+        triangles.eye.clear();
+        triangles.eye.extend(outline.clipped.iter().map(|corner| corner.ready.eye));
+        let report = split(&triangles.eye, outline.newell, &mut triangles.scratch, &mut triangles.list);
         // Triangles of a polygon over which everything is linear share its planes: the picture is that of the whole.
         let shared = outline.affine.then(|| self.planes.push(outline, [0, 1, 2], &mut list.planes));
         for &triangle in &triangles.list {
@@ -176,30 +229,30 @@ impl Projector {
     ) {
         let first_vertex = list.vertices.len() as u32;
         let count = outline.clipped.len() as u32;
-        for (corner, leads_to) in [(0, 1), (1, 2), (2, 0)].map(|(from, to)| (triangle[from], triangle[to])) {
-            let vertex = &outline.clipped[corner as usize];
-            let edge = if leads_to == (corner + 1) % count { vertex.edge } else { EdgeKind::Diagonal };
-            list.vertices.push(self.planes.screen.vertex(vertex.position, edge));
-            self.push_values(outline, corner as usize, list);
+        for (from, to) in [(0, 1), (1, 2), (2, 0)] {
+            let corner = &outline.clipped[triangle[from] as usize];
+            let is_original = triangle[to] == (triangle[from] + 1) % count;
+            let edge = if is_original { corner.ready.screen.edge } else { EdgeKind::Diagonal };
+            list.vertices.push(ScreenVertex { edge, ..corner.ready.screen });
+            self.push_values(corner, &mut list.values);
         }
         list.polygons.push(PolygonRecord { first_vertex, vertex_count: 3, first_plane, surface, source });
     }
 
-    #[inline]
-    fn push_values(&self, outline: &Outline<'_>, corner: usize, list: &mut DrawList) {
+    #[inline(always)]
+    fn push_values(&self, corner: &Corner, values: &mut Vec<f64>) {
         if self.planes.varying == Varying::Nothing {
             return;
         }
-        let vertex = &outline.clipped[corner];
-        list.values.extend_from_slice(&vertex.attributes[..LIGHT]);
+        values.extend_from_slice(&corner.values);
         if self.planes.varying.has_normals() {
-            list.values.extend(outline.clipped_eye[corner].to_array());
+            values.extend_from_slice(&corner.ready.eye.to_array());
         }
         if self.planes.varying.has_factor() {
-            list.values.extend(factor_of(vertex));
+            values.extend_from_slice(&corner.factor);
         }
         if self.planes.varying.texture_count() > 0 {
-            list.values.extend(place_of(vertex));
+            values.extend_from_slice(&corner.place);
         }
     }
 }
@@ -221,14 +274,14 @@ impl ScreenMap {
     }
 
     /// An eye-space point on the screen, not snapped; z is 0.
-    #[inline]
+    #[inline(always)]
     pub fn exact(&self, eye: Vec3) -> Vec3 {
         let (half_width, half_height) = self.half;
         Vec3::new(half_width + eye.x / eye.z * self.scale, half_height - eye.y / eye.z * self.scale, 0.0)
     }
 
     /// Coefficients over samples of a functional on (X, Y, 1), X = x/w, Y = y/w.
-    #[inline]
+    #[inline(always)]
     pub fn plane(&self, functional: Vec3) -> [f64; 3] {
         let (a, b) = (functional.x / self.scale, -functional.y / self.scale);
         [a, b, functional.z - a * self.half.0 - b * self.half.1]

@@ -84,16 +84,8 @@ impl Crew {
         let Crew { hands, lists, mesh, survivors } = self;
         let (hands, survivors) = (&mut hands[..threads], &mut survivors[..threads]);
         // Vertices.
-        let mut vertices = mesh.open(part.mesh, setting, &mut hands[0].counts.work);
-        let each = vertices.len().div_ceil(threads);
-        let mut ranges = Vec::new();
-        while vertices.len() > each {
-            let (range, rest) = vertices.split_at(each);
-            ranges.push(range);
-            vertices = rest;
-        }
-        ranges.push(vertices);
-        share(hands, ranges, |_, range| range.fill(&task.world_from_local, setting.plan));
+        let vertices = mesh.open(part.mesh, setting, &mut hands[0].counts.work).parts(threads);
+        share(hands, vertices, |_, range| range.fill(&task.world_from_local, setting.plan));
         // Culling; then, in the order of the polygons, what the survivors ask for.
         let shared: &EyeMesh = mesh;
         let ranges = even(&task.polygons, threads).zip(survivors.iter_mut()).collect();
@@ -102,23 +94,13 @@ impl Crew {
             hand.cull(part, shared, range, setting, survivors);
         });
         survivors.iter().for_each(|survivors| mesh.ask(part, survivors));
-        // Light.
-        let mut unlit = mesh.unlit();
-        let each = unlit.len().div_ceil(threads);
-        let mut ranges = Vec::new();
-        while unlit.len() > each {
-            let (range, rest) = unlit.split_at(each);
-            ranges.push(range);
-            unlit = rest;
-        }
-        ranges.push(unlit);
-        share(hands, ranges, |hand, range| hand.light_asked(range, part, setting));
-        // Clipping, splitting, projecting.
+        share(hands, mesh.asked().parts(threads), |hand, asked| hand.compute(asked, part, setting));
+        // Light, clipping, splitting, projecting.
         let shared: &EyeMesh = mesh;
         let lists = &mut lists[..threads - 1];
         let parts = survivors.iter().zip(prepared(list, lists)).collect();
         share(hands, parts, |hand, (survivors, list): (&Vec<_>, &mut DrawList)| {
-            hand.emit(part, shared, survivors, setting, list);
+            hand.emit((part, shared), survivors, setting, list);
         });
         join(list, lists);
     }

@@ -6,18 +6,20 @@
 //! again for each polygon would be the largest cost of the stage.
 //! Why an outcode: one bit a plane, set where the vertex lies outside. The AND over a polygon's corners tells that it is
 //! wholly outside one plane, the OR which planes it crosses; only those are ever cut.
-//! Why asking: light is computed after culling, and only where a polygon in view asks for it. A vertex that was asked for knows
-//! its place in an array of colors without gaps, one place for each side it is seen from.
+//! Why asking: vertices are brought to the screen and lit after culling, and only where a polygon in view asks for it. A vertex that
+//! was asked for knows its place in an array without gaps; for light it has two, one for each side it is seen from.
 //!
 //! Space: local -> world -> (world - eye) -> eye space, in f64.
 
 use super::cull::Survivor;
+use super::project::{Projector, Ready};
 use super::{Part, Setting};
 use crate::math::{Affine3, Mat3, Vec3, unit};
 use crate::model;
 use crate::plan::{FlatRule, NeedsMode, Plan, Shading, View};
 use crate::report::Work;
 use crate::scene::{Mesh, NormalSource};
+use crate::screen::EdgeKind;
 
 /// The vertices of a [`Mesh`] in eye space.
 #[derive(Default)]
@@ -27,15 +29,28 @@ pub(super) struct EyeMesh {
     pub normals: Vec<Vec3>,
     /// Bits of the planes a vertex lies outside of; empty where no plane needs testing.
     codes: Vec<u8>,
-    /// Of every vertex, seen from the front and from the back: its place in `asked` and `lit`, or [`NOT_ASKED`]. Empty where no
-    /// vertex is lit.
-    slots: Vec<[u32; 2]>,
-    /// Vertices whose light was asked for, and the side it was asked for, in the order of asking.
-    asked: Vec<(u32, Side)>,
+    /// What survivors asked for, of every vertex.
+    slots: Vec<Slot>,
+    /// Vertices that are needed on the screen, in the order of asking.
+    asked: Vec<u32>,
+    /// They, made ready, as far as it is done.
+    ready: Vec<Ready>,
+    /// Vertices whose light is needed and the side it is needed for.
+    asked_light: Vec<(u32, Side)>,
     /// Their light, as far as it has been computed.
     lit: Vec<[f64; 3]>,
+    /// Vertices are lit once for all polygons around them.
+    lights: bool,
     /// Means of normals, local space.
     means: Vec<Vec3>,
+}
+
+/// Where a vertex is in the arrays of what was asked for.
+#[derive(Clone, Copy)]
+struct Slot {
+    ready: u32,
+    /// Seen from the front and from the back.
+    lit: [u32; 2],
 }
 
 const NOT_ASKED: u32 = u32::MAX;
@@ -56,11 +71,13 @@ pub(super) struct VertexRange<'a> {
     normals: &'a mut [Vec3],
 }
 
-/// Some vertices whose light was asked for: what one thread lights.
-pub(super) struct AskedRange<'a> {
+/// Some of what was asked for: what one thread computes.
+pub(super) struct Asked<'a> {
     positions: &'a [Vec3],
     normals: &'a [Vec3],
-    asked: &'a [(u32, Side)],
+    asked: &'a [u32],
+    ready: &'a mut [Ready],
+    asked_light: &'a [(u32, Side)],
     lit: &'a mut [[f64; 3]],
 }
 
@@ -74,9 +91,11 @@ impl EyeMesh {
         let local_normals = local_normals(mesh, setting.plan, &mut self.means);
         self.normals.resize(local_normals.len(), Vec3::ZERO);
         self.slots.clear();
-        let has_lit_vertices = setting.lighting.lights_vertices() && !local_normals.is_empty();
-        self.slots.resize(if has_lit_vertices { count } else { 0 }, [NOT_ASKED; 2]);
+        self.slots.resize(count, Slot { ready: NOT_ASKED, lit: [NOT_ASKED; 2] });
+        self.lights = setting.lighting.lights_vertices() && !self.normals.is_empty();
         self.asked.clear();
+        self.ready.clear();
+        self.asked_light.clear();
         self.lit.clear();
         work.vertices_transformed += count as u64;
         work.plane_tests += self.codes.len() as u64 * u64::from(planes.count_ones());
@@ -101,40 +120,54 @@ impl EyeMesh {
         self.normals.get(vertex as usize).copied().filter(|&normal| normal != Vec3::ZERO)
     }
 
-    /// Asks for the light of the vertices of `survivors`, once for each side a vertex is seen from.
+    /// Asks for the vertices of `survivors`, once each, and for their light, once for each side a vertex is seen from.
     pub fn ask(&mut self, part: Part<'_>, survivors: &[Survivor]) {
-        if self.slots.is_empty() {
-            return;
-        }
         for survivor in survivors {
             let polygon = &part.mesh.polygons[survivor.polygon as usize];
-            if polygon.normals == NormalSource::Facet {
-                continue;
-            }
-            let side = Side::of(survivor);
             for &vertex in part.mesh.outline(polygon) {
-                let slot = &mut self.slots[vertex as usize][side as usize];
-                // Without a normal of its own it is lit with the polygon's.
-                if *slot == NOT_ASKED && self.normals[vertex as usize] != Vec3::ZERO {
-                    *slot = self.asked.len() as u32;
-                    self.asked.push((vertex, side));
+                let slot = &mut self.slots[vertex as usize];
+                if slot.ready == NOT_ASKED {
+                    slot.ready = self.asked.len() as u32;
+                    self.asked.push(vertex);
                 }
+            }
+            if self.lights && polygon.normals != NormalSource::Facet {
+                self.ask_for_light(part.mesh.outline(polygon), Side::of(survivor));
             }
         }
     }
 
-    /// What was asked for and has no light yet.
-    pub fn unlit(&mut self) -> AskedRange<'_> {
-        let known = self.lit.len();
-        self.lit.resize(self.asked.len(), [0.0; 3]);
-        let EyeMesh { positions, normals, asked, lit, .. } = self;
-        AskedRange { positions, normals, asked: &asked[known..], lit: &mut lit[known..] }
+    fn ask_for_light(&mut self, outline: &[u32], side: Side) {
+        for &vertex in outline {
+            let slot = &mut self.slots[vertex as usize].lit[side as usize];
+            // Without a normal of its own it is lit with the polygon's.
+            if *slot == NOT_ASKED && self.normals.get(vertex as usize).is_some_and(|&normal| normal != Vec3::ZERO) {
+                *slot = self.asked_light.len() as u32;
+                self.asked_light.push((vertex, side));
+            }
+        }
+    }
+
+    /// What was asked for and is not computed yet.
+    pub fn asked(&mut self) -> Asked<'_> {
+        let (ready_before, lit_before) = (self.ready.len(), self.lit.len());
+        self.ready.resize(self.asked.len(), Ready::default());
+        self.lit.resize(self.asked_light.len(), [0.0; 3]);
+        let EyeMesh { positions, normals, asked, ready, asked_light, lit, .. } = self;
+        let (asked, asked_light) = (&asked[ready_before..], &asked_light[lit_before..]);
+        Asked { positions, normals, asked, ready: &mut ready[ready_before..], asked_light, lit: &mut lit[lit_before..] }
+    }
+
+    /// A vertex that was asked for, made ready.
+    #[inline]
+    pub fn ready(&self, vertex: u32) -> &Ready {
+        &self.ready[self.slots[vertex as usize].ready as usize]
     }
 
     /// The light of a vertex that was asked for.
     #[inline]
     pub fn light(&self, vertex: u32, side: Side) -> [f64; 3] {
-        self.lit[self.slots[vertex as usize][side as usize] as usize]
+        self.lit[self.slots[vertex as usize].lit[side as usize] as usize]
     }
 }
 
@@ -159,30 +192,21 @@ fn local_normals<'a>(mesh: &'a Mesh, plan: &Plan, means: &'a mut Vec<Vec3>) -> &
 }
 
 impl<'a> VertexRange<'a> {
-    /// How many vertices.
-    pub fn len(&self) -> usize {
-        self.vertices.len()
-    }
-
-    /// The first `count` vertices, and the rest.
-    pub fn split_at(self, count: usize) -> (VertexRange<'a>, VertexRange<'a>) {
-        let (vertices, positions) = (self.vertices.split_at(count), self.positions.split_at_mut(count));
+    /// The same in at most `count` parts.
+    pub fn parts(self, count: usize) -> Vec<VertexRange<'a>> {
+        let each = self.vertices.len().div_ceil(count).max(1);
+        let mut positions = self.positions.chunks_mut(each);
         // Codes and normals may be missing.
-        let codes = self.codes.split_at_mut(count.min(self.codes.len()));
-        let with_normal = count.min(self.normals.len());
-        let local_normals = self.local_normals.split_at(with_normal);
-        let normals = self.normals.split_at_mut(with_normal);
-        let range = |vertices, local_normals, positions, codes, normals| VertexRange {
+        let (mut codes, mut normals) = (self.codes.chunks_mut(each), self.normals.chunks_mut(each));
+        let mut local_normals = self.local_normals.chunks(each);
+        let part = |vertices| VertexRange {
             vertices,
-            local_normals,
-            positions,
-            codes,
-            normals,
+            local_normals: local_normals.next().unwrap_or_default(),
+            positions: positions.next().unwrap_or_default(),
+            codes: codes.next().unwrap_or_default(),
+            normals: normals.next().unwrap_or_default(),
         };
-        (
-            range(vertices.0, local_normals.0, positions.0, codes.0, normals.0),
-            range(vertices.1, local_normals.1, positions.1, codes.1, normals.1),
-        )
+        self.vertices.chunks(each).map(part).collect()
     }
 
     /// Moves the vertices to eye space and computes what the plan needs of them.
@@ -233,23 +257,27 @@ impl Side {
     }
 }
 
-impl<'a> AskedRange<'a> {
-    /// How many vertices.
-    pub fn len(&self) -> usize {
-        self.asked.len()
+impl<'a> Asked<'a> {
+    /// The same in `count` parts.
+    pub fn parts(self, count: usize) -> Vec<Asked<'a>> {
+        let Asked { positions, normals, asked, ready, asked_light, lit } = self;
+        let each = |length: usize| length.div_ceil(count).max(1);
+        let mut ready = asked.chunks(each(asked.len())).zip(ready.chunks_mut(each(asked.len())));
+        let mut lit = asked_light.chunks(each(asked_light.len())).zip(lit.chunks_mut(each(asked_light.len())));
+        let part = |_| {
+            let (asked, ready) = ready.next().unwrap_or_default();
+            let (asked_light, lit) = lit.next().unwrap_or_default();
+            Asked { positions, normals, asked, ready, asked_light, lit }
+        };
+        (0..count).map(part).collect()
     }
 
-    /// The first `count` of them, and the rest.
-    pub fn split_at(self, count: usize) -> (AskedRange<'a>, AskedRange<'a>) {
-        let AskedRange { positions, normals, asked, lit } = self;
-        let (asked, lit) = (asked.split_at(count), lit.split_at_mut(count));
-        let range = |asked, lit| AskedRange { positions, normals, asked, lit };
-        (range(asked.0, lit.0), range(asked.1, lit.1))
-    }
-
-    /// Computes their light, `light` of a vertex at a point with a normal.
-    pub fn fill(self, mut light: impl FnMut(u32, (Vec3, Vec3)) -> [f64; 3]) {
-        for (&(vertex, side), lit) in self.asked.iter().zip(self.lit) {
+    /// Computes it; `light` is the light of a vertex, at a point with a normal.
+    pub fn compute(self, projector: &Projector, mut light: impl FnMut(u32, (Vec3, Vec3)) -> [f64; 3]) {
+        for (ready, &vertex) in self.ready.iter_mut().zip(self.asked) {
+            *ready = projector.ready(projector.to_clip(self.positions[vertex as usize]), EdgeKind::Original);
+        }
+        for (lit, &(vertex, side)) in self.lit.iter_mut().zip(self.asked_light) {
             let normal = side.turn(self.normals[vertex as usize]);
             *lit = light(vertex, (self.positions[vertex as usize], normal));
         }

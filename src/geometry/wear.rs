@@ -7,9 +7,7 @@
 //! Space: texture space, v upward. Cost: means of a picture once, not once a frame.
 
 use super::Part;
-use super::clip::ClipVertex;
-use super::hand::Corners;
-use super::light::{FACTOR, LIGHT};
+use super::project::Corner;
 use crate::color::Encoding;
 use crate::plan::{Choices, Plan};
 use crate::scene::{Scene, Surface};
@@ -58,18 +56,12 @@ impl Wardrobe {
     }
 }
 
-/// Writes u and v behind the light of the corners, and tells how many numbers clipping must carry along.
-pub(super) fn dress(part: Part<'_>, corners: &mut Corners) -> usize {
+/// Writes u and v of the vertices of `outline` into its corners.
+pub(super) fn dress(part: Part<'_>, outline: &[u32], corners: &mut [Corner]) {
     if part.surface.primitives.is_empty() {
-        for (vertex, &index) in corners.clip.iter_mut().zip(&corners.outline) {
+        for (corner, &index) in corners.iter_mut().zip(outline) {
             let place = part.mesh.texture.get(index as usize).copied().unwrap_or_default();
-            vertex.attributes[LIGHT..FACTOR].copy_from_slice(&[place.x, place.y]);
+            corner.place = [place.x, place.y];
         }
     }
-    FACTOR
-}
-
-/// u and v of a vertex.
-pub(super) fn place_of(vertex: &ClipVertex) -> [f64; 2] {
-    [vertex.attributes[LIGHT], vertex.attributes[LIGHT + 1]]
 }
