@@ -8,7 +8,7 @@ use farop::math::{Affine3, Vec3, cos, sin};
 use farop::parse::{ParseOptions, read_nff};
 use farop::plan::{Choices, Culling, Shading};
 use farop::raster::fast::{Fast, Instructions};
-use farop::raster::{Rasterizer, ZBuffer};
+use farop::raster::{PerPolygon, Rasterizer, Wire, ZBuffer};
 use farop::render::{Canvas, draw, draw_pixels, list};
 use farop::scene::{Camera, Light, Material, Mesh, NormalSource, Object, ObjectId, Place, Scene, Surface, SurfaceId};
 use farop::screen::DrawList;
@@ -37,6 +37,7 @@ fn scene_of(mesh: Mesh) -> Scene {
     };
     let (from, at, up) = (Vec3::ZERO, Vec3::NEG_Z, Vec3::Y);
     Scene {
+        textures: Vec::new(),
         files: vec!["made".into()],
         objects: vec![object],
         surfaces: vec![Surface { material, mesh, primitives: vec![], two_sided: false, place }],
@@ -133,6 +134,7 @@ fn median(values: &mut [f64]) -> f64 {
 
 struct Case {
     name: String,
+    wire: bool,
     list: DrawList,
     canvas: Canvas,
 }
@@ -155,6 +157,7 @@ fn cases(threads: u32, only: &str) -> Vec<Case> {
     for (name, scene) in scenes.into_iter().filter(|(name, _)| name.contains(only.split('/').next().unwrap_or(""))) {
         let scene = scene();
         let modes = [
+            ("wire", Shading::Wire, 1),
             ("flat", Shading::Flat, 1),
             ("gouraud", Shading::Gouraud, 1),
             ("phong", Shading::Phong, 1),
@@ -174,7 +177,7 @@ fn cases(threads: u32, only: &str) -> Vec<Case> {
             };
             let canvas = Canvas::new(&scene, &choices);
             let list = list(&scene, &choices, Some(&ZBuffer)).expect("a usable view");
-            cases.push(Case { name: format!("{name} {mode}"), list, canvas });
+            cases.push(Case { name: format!("{name} {mode}"), wire: shading == Shading::Wire, list, canvas });
         }
     }
     cases
@@ -189,9 +192,10 @@ fn each_trick(rounds: usize, threads: u32, only: &str) {
     };
     let ways: Vec<(&str, Fast)> = vec![
         ("all", Fast::default()),
-        ("no tiny", without(|fast| fast.shortcuts.tiny = false)),
+        ("no small", without(|fast| fast.shortcuts.small = false)),
         ("no blocks", without(|fast| fast.shortcuts.blocks = false)),
         ("no far", without(|fast| fast.shortcuts.far = false)),
+        ("avx2", without(|fast| fast.instructions = Instructions::Avx2)),
         ("sse2", without(|fast| fast.instructions = Instructions::Baseline)),
         ("plain", without(|fast| fast.instructions = Instructions::Plain)),
         ("tile 16", without(|fast| fast.tile_side = 16)),
@@ -200,7 +204,7 @@ fn each_trick(rounds: usize, threads: u32, only: &str) {
         ("tile 256", without(|fast| fast.tile_side = 256)),
     ];
     println!("{:<22}{}", "case", ways.iter().map(|(name, _)| format!("{name:>10}")).collect::<String>());
-    for case in cases(threads, only) {
+    for case in cases(threads, only).into_iter().filter(|case| !case.wire) {
         let mut image = Image::new(SIDE as usize, SIDE as usize, Rgb::gray(0.0));
         let mut times = vec![Vec::new(); ways.len()];
         for round in 0..=rounds {
@@ -224,24 +228,29 @@ fn main() {
     let threads = argument(2).and_then(|text| text.parse().ok()).unwrap_or(1);
     let only = argument(3).unwrap_or_default();
     let with_zbuffer = argument(4).as_deref() != Some("fast");
-    let ways = [("best", Fast::new(64, Instructions::Best)), ("sse2", Fast::new(64, Instructions::Baseline))];
+    let ways = [Instructions::Best, Instructions::Avx2, Instructions::Baseline].map(|level| Fast::new(64, level));
     if argument(4).as_deref() == Some("each") {
         return each_trick(rounds, threads, &only);
     }
     println!("{threads} threads, medians of {rounds} interleaved rounds, raster milliseconds");
-    println!("{:<22} {:>9} {:>9} {:>9} {:>7} {:>9}", "case", "polygons", "zbuffer", "fast", "ratio", "fast sse2");
+    println!(
+        "{:<22} {:>9} {:>9} {:>9} {:>7} {:>9} {:>9}",
+        "case", "polygons", "readable", "fast", "ratio", "fast avx2", "fast sse2"
+    );
     for case in cases(threads, &only) {
         let mut image = Image::new(SIDE as usize, SIDE as usize, Rgb::gray(0.0));
-        let mut times = [const { Vec::new() }; 3];
-        let (reference, _) = draw(&case.list, Some(&ZBuffer as &dyn Rasterizer), &case.canvas);
+        let mut times = [const { Vec::new() }; 4];
+        let readable: &dyn Rasterizer = if case.wire { &PerPolygon(Wire) } else { &ZBuffer };
+        let (reference, _) = draw(&case.list, Some(readable), &case.canvas);
         for _ in 0..rounds {
             if with_zbuffer {
                 let start = Stopwatch::start(threads);
-                let drawn = draw(&case.list, Some(&ZBuffer as &dyn Rasterizer), &case.canvas);
+                let drawn = draw(&case.list, Some(readable), &case.canvas);
                 times[0].push(start.stop());
                 drop(drawn);
             }
-            for (index, (_, fast)) in ways.iter().enumerate() {
+            for (index, fast) in ways.iter().enumerate() {
+                let fast: &dyn Rasterizer = if case.wire { &Wire } else { fast };
                 for _ in 0..2 {
                     let start = Stopwatch::start(threads);
                     draw_pixels(&case.list, fast, &case.canvas, &mut image);
@@ -253,8 +262,12 @@ fn main() {
         if !with_zbuffer {
             times[0].push(f64::NAN);
         }
-        let [zbuffer, fast, sse2] = times.each_mut().map(|times| median(times));
-        let ratio = zbuffer / fast;
-        println!("{:<22} {:>9} {zbuffer:>9.2} {fast:>9.2} {ratio:>7.1} {sse2:>9.2}{equal}", case.name, case.list.len());
+        let [readable, fast, avx2, sse2] = times.each_mut().map(|times| median(times));
+        let ratio = readable / fast;
+        println!(
+            "{:<22} {:>9} {readable:>9.2} {fast:>9.2} {ratio:>7.1} {avx2:>9.2} {sse2:>9.2}{equal}",
+            case.name,
+            case.list.len()
+        );
     }
 }

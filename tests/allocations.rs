@@ -1,12 +1,15 @@
-//! The geometry stage allocates nothing per polygon: a counting allocator, in a test binary of its own.
+//! The geometry stage allocates nothing per polygon, and `fast` nothing per polygon, tile or sample: a counting allocator, in a test binary of its own.
 
 #![allow(unsafe_code, reason = "an allocator cannot be written without; this one only counts and passes on")]
 
 mod support;
 
 use farop::geometry::Stage;
+use farop::image::Image;
 use farop::math::Vec3;
 use farop::plan::{Accepts, Choices, Plan, Shading};
+use farop::raster::fast::Fast;
+use farop::render::{Canvas, draw_pixels};
 use farop::scene::{Primitive, Scene, Shape};
 use farop::screen::DrawList;
 use std::alloc::{GlobalAlloc, Layout, System};
@@ -76,9 +79,37 @@ fn later_frames(choices: &Choices) -> u64 {
     allocations
 }
 
+/// Allocations of the third picture that `fast` draws of one list; the first two have warmed its memory.
+fn third_picture(polygons: usize, side: u32, threads: u32) -> u64 {
+    let mix = Mix { polygons, corners: (3, 6), transparent: true, ..Mix::default() };
+    let scene = mix.scene(side);
+    let choices = Choices { threads: Some(threads), shading: Shading::Phong, ..Choices::default() };
+    let (fast, canvas) = (Fast::default(), Canvas::new(&scene, &choices));
+    let list = farop::render::list(&scene, &choices, Some(&fast)).expect("has a view");
+    let mut image = Image::new(side as usize, side as usize, canvas.background);
+    let mut allocations = 0;
+    for _ in 0..3 {
+        let before = ALLOCATIONS.load(Ordering::Relaxed);
+        draw_pixels(&list, &fast, &canvas, &mut image).expect("fast draws pixels");
+        allocations = ALLOCATIONS.load(Ordering::Relaxed) - before;
+    }
+    allocations
+}
+
+fn pictures_of_fast_allocate_nothing_for_what_is_in_them() {
+    // One for the locks of the picture's bands and those for the counts by name; a thread costs a few more to start, twice a picture.
+    let alone = [(10, 64), (300, 64), (300, 500)].map(|(polygons, side)| third_picture(polygons, side, 1));
+    println!("fast on one thread: {alone:?} allocations");
+    assert!(alone.iter().all(|&count| count <= 4), "{alone:?}");
+    let [few, many] = [10, 300].map(|polygons| third_picture(polygons, 200, 2));
+    println!("fast on two threads: {few} and {many} allocations");
+    assert!(few.max(many) <= 40, "{few} {many}");
+}
+
 /// One test: others would run beside it and be counted.
 #[test]
 fn nothing_is_allocated_per_polygon() {
+    pictures_of_fast_allocate_nothing_for_what_is_in_them();
     for shading in [Shading::Gouraud, Shading::Phong, Shading::Flat, Shading::Wire] {
         for triangles in [false, true] {
             let choices = Choices { shading, triangles, threads: Some(1), ..Choices::default() };

@@ -171,3 +171,51 @@ fn an_empty_list_shows_the_background() {
     let (image, _) = draw(&list, Some(&Fast::default()), &canvas);
     assert!(image.pixels().len() == 210 && image.pixels().iter().all(|&light| light == background));
 }
+
+/// What lanes light must not depend on which surfaces share a step: many small ones side by side, every reflection model and light.
+#[test]
+fn every_reflection_and_light_in_lanes() {
+    use farop::math::Vec3;
+    use farop::scene::{Light, LightSource, Place, Reflection, SpotEdge};
+    for seed in 1..=12 {
+        let mut scene = Mix { seed, polygons: 80, transparent: seed % 2 == 0, ..Mix::default() }.scene(72);
+        for (number, surface) in scene.surfaces.iter_mut().enumerate() {
+            let material = &mut surface.material;
+            material.reflection =
+                [Reflection::Nff, Reflection::Phong, Reflection::Basic { c3: 0.3 }][(number + seed as usize) % 3];
+            material.specular = 0.5;
+            material.shine = [0.0, 3.7, 1e5, 20.0][(number / 3 + seed as usize) % 4];
+        }
+        let point = Light::point(Vec3::new(-3.0, 4.0, 2.0), farop::color::Rgb::WHITE, Place::default());
+        let spot = |edge| LightSource::Spot {
+            position: Vec3::new(1.0, 2.0, 3.0),
+            at: Vec3::new(0.0, 0.0, -4.0),
+            opening: 40.0,
+            edge,
+        };
+        for source in [
+            LightSource::Directional { to_light: Vec3::new(1.0, 1.0, 2.0) },
+            spot(SpotEdge::Sharp),
+            spot(SpotEdge::Soft),
+        ] {
+            scene.lights.push(Light { source, ..point });
+        }
+        scene.lights.push(point);
+        for number in 0..4 {
+            let (fast, threads) = ways(seed * 4 + number);
+            let choices =
+                Choices { shading: Shading::Phong, threads, samples: 1 + seed as u32 % 2, ..Choices::default() };
+            let rendered = compare("lights", &scene, &choices, &fast);
+            let alone = drawn(&scene, &choices, &ZBuffer);
+            assert!(rendered.list.shader.powers() > 0 && alone.list.shader.powers() > 0);
+        }
+    }
+}
+
+#[test]
+fn instructions_have_names() {
+    let names = Instructions::ALL.map(|instructions| (instructions.name(), instructions.here()));
+    println!("{names:?}");
+    assert_eq!(names.each_ref().map(|(name, _)| *name), ["plain", "sse2", "avx2", "best"]);
+    assert_eq!(names[0].1, "fallback");
+}

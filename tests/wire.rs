@@ -4,9 +4,10 @@ mod support;
 
 use farop::math::Vec3;
 use farop::plan::{Choices, Shading};
-use farop::raster::{PerPolygon, Wire};
+use farop::raster::{PerPolygon, Rasterizer, Wire};
 use farop::scene::Material;
 use farop::screen::{DrawList, EdgeKind, Grid, Plane, PolygonRecord, Precision, ScreenVertex, Source};
+use support::mixed::Mix;
 use support::random::Random;
 use support::scenes::{camera, facets, run, scene, surface, world};
 use support::{digits, draw};
@@ -226,4 +227,24 @@ fn two_triangles_share_the_samples_of_their_edge() {
     assert_eq!(whole.matches('#').count(), 32);
     assert_eq!(wire(&[&[a, b, c, d]], &split).matches('#').count(), 32 + 7);
     assert_eq!(wire(&[&[d, c, b, a]], &Choices::default()).matches('#').count(), 0);
+}
+
+#[test]
+fn without_a_target_the_picture_and_the_counts_are_the_same() {
+    for seed in 1..=60 {
+        let mix = Mix { seed, polygons: 20, transparent: seed % 5 == 0, ..Mix::default() };
+        let scene = mix.scene(60);
+        let (samples, subpixel_bits) =
+            (1 + seed as u32 % 3, [8, 0, 16, farop::plan::EXACT_SUBPIXELS][seed as usize % 4]);
+        let choices = Choices { shading: Shading::Wire, samples, subpixel_bits, ..Choices::default() };
+        let [target, pixels] = [&PerPolygon(Wire) as &dyn Rasterizer, &Wire].map(|wire| {
+            let rendered = farop::render::render(&scene, &choices, Some(wire)).expect("has a view");
+            let lit = rendered.image.pixels().iter().filter(|&&light| light != rendered.image.pixel(0, 0)).count();
+            assert!(lit > 20, "{lit}");
+            let bits = |light: &farop::color::Rgb<f32>| light.to_array().map(f32::to_bits);
+            let bits: Vec<_> = rendered.image.pixels().iter().map(bits).collect();
+            (bits, rendered.puts.puts, rendered.puts.overdraw)
+        });
+        assert!(target == pixels, "seed {seed}: {} {} {} {}", target.1, pixels.1, target.2, pixels.2);
+    }
 }

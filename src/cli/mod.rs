@@ -32,6 +32,7 @@ mod terrain;
 mod view;
 mod why;
 
+use crate::raster::fast::Instructions;
 use crate::raster::{Registry, external};
 use clap::{CommandFactory, Parser, Subcommand};
 use error::CliError;
@@ -68,7 +69,8 @@ pub fn run(registry: &Registry, arguments: impl IntoIterator<Item = std::ffi::Os
             return ExitCode::from(if failed { 2 } else { 0 });
         }
     };
-    match cli.command.map_or_else(first_steps, |command| command.run(registry)) {
+    let asked = Instructions::asked().map_err(CliError::failed);
+    match asked.and_then(|_| cli.command.map_or_else(first_steps, |command| command.run(registry))) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             let code = error.exit_code();

@@ -4,7 +4,7 @@
 //! it. Nothing is found by magic, so nothing is mysteriously missing.
 
 use super::functions::{ClipFunction, Named, TriangulateFunction, ears, sutherland};
-use super::{Fast, PerPolygon, Rasterizer, Scanline, Watkins, Wire, ZBuffer};
+use super::{Fast, Rasterizer, Scanline, Watkins, Wire, ZBuffer};
 use crate::geometry::clip::{ClipVertex, ClipVolume};
 use crate::math::Vec3;
 
@@ -39,7 +39,7 @@ impl Registry {
                 "polygon by polygon, every value one addition from the last: fast, and it drifts",
                 Scanline,
             )
-            .add("wire", "edges only, no hidden-line removal", PerPolygon(Wire))
+            .add("wire", "edges only, no hidden-line removal", Wire)
             .add_clip("sutherland", "Sutherland and Hodgman, plane by plane", Box::new(sutherland))
             .add_triangulate("ears", "ears, the shortest diagonal first", Box::new(ears))
     }

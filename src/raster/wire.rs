@@ -10,11 +10,16 @@
 //! Edges that clipping made lie on the sides of the view volume, not on the object: they are not drawn.
 //!
 //! Space: samples. Source: the line rule of OpenGL (specification 1.4, section 3.4.1) and Direct3D.
-//! Cost: one division a sample of the longer direction.
+//! Cost: one division a line, a few additions a sample of the longer direction.
 
-use super::{PolygonRasterizer, Target};
+use super::{PerPolygon, Pixels, PolygonRasterizer, Rasterizer, Target};
+use crate::color::Rgb;
+use crate::image::box_mean;
 use crate::math::edges;
-use crate::screen::{EdgeKind, Grid, ScreenPolygon, ScreenVertex, Shader};
+use crate::plan::Varying;
+use crate::screen::shader::SurfaceShading;
+use crate::screen::{DrawList, EdgeKind, Grid, ScreenPolygon, ScreenVertex, Shader};
+use std::ops::Range;
 
 /// Draws the edges of every polygon.
 #[derive(Clone, Copy, Debug, Default)]
@@ -22,18 +27,60 @@ pub struct Wire;
 
 impl PolygonRasterizer for Wire {
     fn draw_polygon(&self, polygon: &ScreenPolygon<'_>, shader: &Shader, target: &mut Target<'_>) {
-        let (columns, rows) = (0..target.width(), target.row_range());
-        for (start, end) in edges(polygon.vertices()) {
-            if start.edge == EdgeKind::Cut {
-                continue;
+        each_sample(polygon, [0..target.width(), target.row_range()], |x, y| {
+            target.put(shader.fragment(polygon, x, y));
+        });
+    }
+}
+
+/// Calls `show` for every sample that an edge of the polygon shows and that is inside.
+fn each_sample(polygon: &ScreenPolygon<'_>, [columns, rows]: [Range<i32>; 2], mut show: impl FnMut(i32, i32)) {
+    for (start, end) in edges(polygon.vertices()) {
+        if start.edge == EdgeKind::Cut {
+            continue;
+        }
+        for_each_sample(&Line::new(start, end, polygon.grid()), |x, y| {
+            // Lines along the lower and right sides of the picture pass through samples just outside.
+            if columns.contains(&x) && rows.contains(&y) {
+                show(x, y);
             }
-            for_each_sample(&Line::new(start, end, polygon.grid()), |x, y| {
-                // Lines along the lower and right sides of the picture pass through samples just outside.
-                if columns.contains(&x) && rows.contains(&y) {
-                    target.put(shader.fragment(polygon, x, y));
-                }
+        });
+    }
+}
+
+impl Rasterizer for Wire {
+    fn draw(&self, list: &DrawList, target: &mut Target<'_>) {
+        PerPolygon(Wire).draw(list, target);
+    }
+
+    /// Lines of one color without depth need no target: which samples they show is all there is to keep.
+    fn draw_pixels(&self, list: &DrawList, pixels: &mut Pixels<'_>) -> bool {
+        let opaque = |surface: &SurfaceShading| surface.opacity == Rgb::gray(1.0);
+        if list.varying != Varying::Nothing || !list.shader.surfaces.iter().all(opaque) {
+            return false;
+        }
+        let (width, height) = (list.width as usize, list.height as usize);
+        let mut shown = vec![false; width * height];
+        for polygon in list.polygons() {
+            each_sample(&polygon, [0..width as i32, 0..height as i32], |x, y| {
+                let before = std::mem::replace(&mut shown[y as usize * width + x as usize], true);
+                pixels.counts.puts += 1;
+                pixels.counts.overdraw += u64::from(before);
             });
         }
+        let (samples, colors) = (pixels.samples.max(1) as usize, [pixels.background, list.shader.line_color]);
+        let mut lights = vec![colors[0]; samples * samples];
+        for (row, line) in pixels.light.chunks_mut(pixels.width.max(1)).enumerate() {
+            for (column, pixel) in line.iter_mut().enumerate() {
+                let first = row * samples * width + column * samples;
+                let rows = (0..samples).map(|row| &shown[first + row * width..][..samples]);
+                for (light, &shown) in lights.iter_mut().zip(rows.flatten()) {
+                    *light = colors[usize::from(shown)];
+                }
+                *pixel = if samples == 1 { lights[0] } else { box_mean(&lights, samples, samples) };
+            }
+        }
+        true
     }
 }
 
@@ -75,14 +122,49 @@ impl Line {
         distance < self.half || (distance == self.half && (dy < 0 || dx == -self.half))
     }
 
-    /// The row (v cell) in which the line passes the center line of column `cell`.
-    fn row_at(&self, cell: i64) -> i64 {
+    /// The row (v cell) in which the line passes the center line of column `cell`, and what is left of the division.
+    fn row_at(&self, cell: i64) -> (i64, i64) {
         let (du, dv) = (self.end.0 - self.start.0, self.end.1 - self.start.1);
         let along = self.center(cell) - self.start.0;
-        // v = start.v + along dv / du, floored to a cell: exact in i128, |du| is the denominator.
-        let numerator =
-            (i128::from(self.start.1) * i128::from(du) + i128::from(along) * i128::from(dv)) * i128::from(du.signum());
-        numerator.div_euclid(i128::from(du.abs()) * i128::from(2 * self.half)) as i64
+        // v = start.v + along dv / du, floored to a cell: exact, |du| is the denominator.
+        if self.reach().max(along.abs()) < 1 << 29 && self.half < 1 << 17 {
+            let (numerator, denominator) = ((self.start.1 * du + along * dv) * du.signum(), self.denominator());
+            return (numerator.div_euclid(denominator), numerator.rem_euclid(denominator));
+        }
+        let [start, du, along, dv] = [self.start.1, du, along, dv].map(i128::from);
+        let numerator = (start * du + along * dv) * du.signum();
+        let denominator = du.abs() * i128::from(2 * self.half);
+        (numerator.div_euclid(denominator) as i64, numerator.rem_euclid(denominator) as i64)
+    }
+
+    /// The largest coordinate.
+    fn reach(&self) -> i64 {
+        [self.start.0, self.start.1, self.end.0, self.end.1].into_iter().fold(0, |most, along| most.max(along.abs()))
+    }
+
+    /// Whether what [`Line::next_row`] computes fits: not for corners a billion samples away on the finest grid.
+    fn is_near(&self) -> bool {
+        self.reach() < 1 << 40
+    }
+
+    /// What [`Line::row_at`] divides by.
+    fn denominator(&self) -> i64 {
+        (self.end.0 - self.start.0).abs() * 2 * self.half
+    }
+
+    /// The row of the next column, `forward` or back, after `row`: the same numbers without a division. The line rises by at most one
+    /// row a column.
+    fn next_row(&self, (row, rest): (i64, i64), forward: bool) -> (i64, i64) {
+        let (du, dv) = (self.end.0 - self.start.0, self.end.1 - self.start.1);
+        let (change, denominator) = (2 * self.half * dv * du.signum(), self.denominator());
+        let rest = if forward { rest + change } else { rest - change };
+        if rest < 0 {
+            (row - 1, rest + denominator)
+        } else if rest >= denominator {
+            (row + 1, rest - denominator)
+        } else {
+            (row, rest)
+        }
     }
 }
 
@@ -103,6 +185,7 @@ fn for_each_sample(line: &Line, mut show: impl FnMut(i32, i32)) {
     let forward = line.end.0 >= line.start.0;
     let (low, high) = if forward { (first.0, last.0) } else { (last.0, first.0) };
     let columns = (low..=high).map(|step| if forward { step } else { low + high - step });
+    let (mut before, is_near) = (None, line.is_near());
     for column in columns {
         let center = line.center(column);
         let reached = if forward {
@@ -113,7 +196,12 @@ fn for_each_sample(line: &Line, mut show: impl FnMut(i32, i32)) {
         if !reached {
             continue;
         }
-        let sample = (column, line.row_at(column));
+        let row = match before.filter(|_| is_near) {
+            Some(row) => line.next_row(row, forward),
+            None => line.row_at(column),
+        };
+        before = Some(row);
+        let sample = (column, row.0);
         let is_start = starts_inside && sample == first;
         let is_end = ends_inside && sample == last;
         if !is_start && !is_end {

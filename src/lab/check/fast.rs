@@ -5,20 +5,22 @@
 //! Every scene is drawn by `fast` with one random choice of threads, tile side and instructions, and compared bit by bit with the
 //! z-buffer's picture; some with every combination. Stars and combs that pierce and touch ([`super::random_scenes`]) take turns with
 //! meshes ([`super::random_meshes`]): slivers, triangles below a pixel, huge ones, coplanar ones, transparent ones. How hard they were is
-//! counted sample by sample from the lists.
+//! counted sample by sample from the lists. Then every built-in scene, at three sizes with all effort.
 //!
-//! Space: samples. Cost: a millisecond a scene.
+//! Space: samples. Cost: a few milliseconds a scene, most of them for starting threads.
 
 use super::random_meshes::{mesh, mesh_choices};
 use super::random_scenes::{choices, hard};
 use super::{Effort, Random, Report};
-use crate::plan::Choices;
+use crate::parse::{ParseOptions, read_nff};
+use crate::plan::{Choices, Culling, Shading};
 use crate::raster::ZBuffer;
 use crate::raster::coverage::Spans;
 use crate::raster::fast::{Fast, Instructions, Shortcuts};
 use crate::render::{Rendered, render};
 use crate::scene::Scene;
 use crate::screen::DrawList;
+use crate::spd::{Curves, SMALL, find, generate};
 
 /// One scene in this many is drawn in every way.
 const EVERY_WAY: u64 = 500;
@@ -36,6 +38,41 @@ pub(super) fn run(effort: &Effort, report: &mut Report) {
         tally.scene(&format!("random scene {seed}"), (&scene, &choices), &ways, report);
     }
     tally.print(report);
+    standard_scenes(effort, report);
+}
+
+/// Every built-in scene: the small size, and for the record the size before the usual one and the usual one.
+fn standard_scenes(effort: &Effort, report: &mut Report) {
+    let mut tally = Tally::default();
+    let mut random = effort.random(u64::MAX);
+    for (name, small) in SMALL {
+        let usual = find(name).map_or(small, |scene| scene.default_size);
+        let sizes = [small, (usual - 1).max(1), usual];
+        for &size in &sizes[..effort.count(1, 3) as usize] {
+            let Some(scene) = standard(name, size) else {
+                report.miss(format!("spd:{name}:{size} cannot be read"));
+                continue;
+            };
+            for shading in [Shading::Flat, Shading::Gouraud, Shading::Phong] {
+                let (samples, side) = (1 + random.below(3) as u32, effort.count(100, 360) as u32);
+                let culling = [Culling::Back, Culling::None][random.below(2) as usize];
+                let choices =
+                    Choices { size: Some((side, side * 3 / 4)), shading, samples, culling, ..Choices::default() };
+                let ways = Instructions::ALL.map(|instructions| (any_way(&mut random).0, 2, instructions, true));
+                tally.scene(&format!("spd:{name}:{size}"), (&scene, &choices), &ways[1..], report);
+            }
+        }
+    }
+    report.count("lists of built-in scenes", tally.scenes);
+    report.count("polygons in them, built-in", tally.polygons);
+    report.count("pictures of built-in scenes by fast", tally.pictures);
+    report.none("pictures of built-in scenes with other bytes than the z-buffer's", tally.different);
+}
+
+fn standard(name: &str, size: u32) -> Option<Scene> {
+    let mut text = Vec::new();
+    generate(find(name)?, size, Curves::Kept, &mut text).ok()?;
+    Some(read_nff(name, &text, ParseOptions::default()).ok()?.scene)
 }
 
 /// Tile side, threads, instructions, and whether there are shortcuts.
@@ -43,8 +80,7 @@ type Way = (u32, u32, Instructions, bool);
 
 fn any_way(random: &mut Random) -> Way {
     let tile = 8 * (1 + random.below(32) as u32);
-    // Threads are slow to start: many only now and then.
-    let threads = if random.once_in(4) { 1 + random.below(64) as u32 } else { 1 };
+    let threads = 1 + random.below(64) as u32;
     (tile, threads, Instructions::ALL[random.below(4) as usize], !random.once_in(4))
 }
 
@@ -84,7 +120,7 @@ impl Tally {
         self.count(&expected);
         for &(tile, threads, instructions, short) in ways {
             let mut fast = Fast::new(tile, instructions);
-            fast.shortcuts = Shortcuts { tiny: short, blocks: short, far: short };
+            fast.shortcuts = Shortcuts { small: short, blocks: short, far: short };
             let choices = Choices { threads: Some(threads), ..choices.clone() };
             self.pictures += 1;
             let Ok(drawn) = render(scene, &choices, Some(&fast)) else { continue };
@@ -116,7 +152,8 @@ impl Tally {
         report.some("scenes with exact ties of depth", self.tied);
         report.some("scenes with cut polygons", self.cut);
         report.some("scenes with transparent surfaces", self.transparent);
-        report.count("pictures by fast", self.pictures);
+        let here = Instructions::ALL.map(Instructions::here).join(", ");
+        report.count(format!("pictures by fast, with {here}"), self.pictures);
         report.some("polygons in tiles drawn by edges", self.by_edges);
         report.some("polygons in tiles drawn by spans", self.by_spans);
         report.some("polygons in tiles drawn sample by sample", self.by_samples);

@@ -8,12 +8,14 @@
 //! Space: samples; corners in 1/256 of a sample.
 //! Cost: some 10 ns a polygon; 4 bytes a polygon and tile it touches.
 
-use super::edges::{are_in_range, make_ready};
+use super::edges::{Outline, are_in_range};
 use super::layout::Layout;
+use super::small::{Small, covered, is_small};
 use crate::color::Rgb;
 use crate::plan::DepthFormat;
 use crate::raster::exact_edge::first_center_from;
 use crate::screen::{DrawList, Plane, Precision, ScreenPolygon, ScreenVertex};
+use fearless_simd::{Level, Simd, dispatch};
 use std::ops::Range;
 
 /// Fixed-point bits of corners: grids of fewer bits are part of this one.
@@ -55,98 +57,154 @@ pub(super) struct Shape {
 /// The shapes of one contiguous range of the list. Kept from frame to frame.
 #[derive(Debug, Default)]
 pub(super) struct Segment {
+    /// Small polygons are kept apart.
+    knows_small: bool,
+    pub smalls: Vec<Small>,
     pub shapes: Vec<Shape>,
     /// Corners in 1/256 of a sample, walked so that the inside is on the right (y runs down).
     pub corners: Vec<[i32; 2]>,
-    /// Per tile, indices of shapes.
-    pub bins: Vec<Vec<u32>>,
+    /// Per tile, what touches it, in the order of the list.
+    pub bins: Vec<Vec<Entry>>,
 }
+
+/// Where a shape is kept, and which kind it is of.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Entry(u32);
+
+/// Kinds of shapes; each is kept and drawn in a way of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// In [`Segment::smalls`].
+    Small,
+    /// In [`Segment::shapes`], by edges.
+    Edges,
+    /// In [`Segment::shapes`], otherwise.
+    Other,
+}
+
+impl Entry {
+    #[inline(always)]
+    fn new(index: usize, kind: Kind) -> Entry {
+        Entry((index as u32) << 2 | kind as u32)
+    }
+
+    #[inline(always)]
+    pub fn kind(self) -> Kind {
+        match self.0 & 3 {
+            0 => Kind::Small,
+            1 => Kind::Edges,
+            _ => Kind::Other,
+        }
+    }
+
+    #[inline(always)]
+    pub fn index(self) -> usize {
+        (self.0 >> 2) as usize
+    }
+}
+
+/// Columns and rows of samples: first and end.
+pub(super) type Reach = [[i32; 2]; 2];
 
 impl Segment {
     /// Empties it, and fills it with the polygons in `range`.
-    pub fn fill(&mut self, list: &DrawList, range: Range<usize>, layout: &Layout) {
+    pub fn fill(&mut self, list: &DrawList, range: Range<usize>, (layout, small): (&Layout, bool), level: Level) {
+        self.knows_small = small;
+        self.smalls.clear();
         self.shapes.clear();
         self.corners.clear();
         self.bins.iter_mut().for_each(Vec::clear);
         self.bins.resize_with(layout.tiles(), Vec::new);
+        dispatch!(level, simd => self.fill_by(simd, list, range.clone(), layout));
+    }
+
+    #[inline(always)]
+    fn fill_by<S: Simd>(&mut self, simd: S, list: &DrawList, range: Range<usize>, layout: &Layout) {
         for index in range {
-            if let Some(shape) = self.shape(list, index, layout) {
-                self.bin(shape, layout);
-            }
+            self.add(simd, &list.polygon(index), list, layout);
         }
     }
 
-    fn bin(&mut self, shape: Shape, layout: &Layout) {
-        let number = self.shapes.len() as u32;
-        self.shapes.push(shape);
-        let [columns, rows] = layout.touched(shape.columns, shape.rows);
+    fn bin(&mut self, entry: Entry, [columns, rows]: Reach, layout: &Layout) {
+        let [columns, rows] = layout.touched(columns, rows);
         for row in rows {
             for column in columns.clone() {
-                self.bins[row * layout.columns + column].push(number);
+                self.bins[row * layout.columns + column].push(entry);
             }
         }
     }
 
-    /// The polygon made ready; `None` where it covers no sample.
-    #[inline]
-    fn shape(&mut self, list: &DrawList, index: usize, layout: &Layout) -> Option<Shape> {
-        let polygon = list.polygon(index);
-        let first_corner = self.corners.len();
-        let on_grid = list.grid.bits <= BITS && polygon.vertices().len() <= MOST_EDGES;
-        let (columns, rows, edges) = if on_grid {
-            let (least, most) = self.push_corners(polygon.vertices())?;
-            let columns = [first_center(least[0]), first_center(most[0])];
-            let rows = [first_center(least[1]), first_center(most[1])];
-            (columns, rows, are_in_range(least, most, layout.side))
-        } else {
-            let (columns, rows) = bounds(&polygon, list)?;
-            (columns, rows, false)
-        };
-        let columns = [columns[0].max(0), columns[1].min(layout.width)];
-        let rows = [rows[0].max(layout.rows.start), rows[1].min(layout.rows.end)];
-        if columns[0] >= columns[1] || rows[0] >= rows[1] {
-            self.corners.truncate(first_corner);
-            return None;
+    /// Makes the polygon ready and bins it, unless it covers no sample.
+    #[inline(always)]
+    fn add<S: Simd>(&mut self, simd: S, polygon: &ScreenPolygon<'_>, list: &DrawList, layout: &Layout) {
+        if list.grid.bits > BITS || polygon.vertices().len() > MOST_EDGES {
+            if let Some(inside) = bounds(polygon, list).and_then(|area| cut(area, layout)) {
+                self.add_shape(polygon, list, (inside, None), layout);
+            }
+            return;
         }
-        let depth = *polygon.depth_plane()?;
-        let single = has_single_depth(list, &depth);
-        let cut_out = polygon.is_cut_out();
-        let edges = edges && single && !cut_out && make_ready(&mut self.corners, first_corner);
-        if !edges {
-            self.corners.truncate(first_corner);
+        let Some(mut outline) = Outline::new(polygon.vertices()) else { return };
+        let whole = [0, 1].map(|axis| [outline.least[axis], outline.most[axis]].map(first_center));
+        let Some(inside) = cut(whole, layout) else { return };
+        if self.knows_small && is_small(inside) && inside == whole && !polygon.is_cut_out() && outline.make_ready() {
+            let covered = covered(simd, &outline, inside);
+            if covered == 0 {
+                return;
+            }
+            if let Some(plane) = polygon.depth_plane().filter(|plane| has_single_depth(list, plane)) {
+                let entry = Entry::new(self.smalls.len(), Kind::Small);
+                let (index, transparent) = (polygon.index, is_transparent(list, polygon));
+                self.smalls.push(Small::new(plane, covered, inside, (index, transparent)));
+                return self.bin(entry, inside, layout);
+            }
         }
-        let corner_count = (self.corners.len() - first_corner) as u8;
-        if edges && corner_count == 0 {
-            return None;
-        }
-        let way = match (edges, single) {
-            _ if cut_out => Way::CutOut,
-            (true, _) => Way::Edges,
-            (false, true) => Way::Runs,
-            (false, false) => Way::Spans,
-        };
-        let (first_corner, transparent) = (first_corner as u32, is_transparent(list, &polygon));
-        Some(Shape { polygon: index as u32, first_corner, corner_count, way, transparent, columns, rows, depth })
+        self.add_shape(polygon, list, (inside, Some(outline)), layout);
     }
 
-    /// Adds the corners of an outline, and returns the box around them; none is added where there are none.
-    #[inline]
-    fn push_corners(&mut self, outline: &[ScreenVertex]) -> Option<([i32; 2], [i32; 2])> {
-        let (mut least, mut most) = ([i32::MAX; 2], [i32::MIN; 2]);
-        for vertex in outline {
-            let [x, y] = [fixed(vertex.x), fixed(vertex.y)];
-            least = [least[0].min(x), least[1].min(y)];
-            most = [most[0].max(x), most[1].max(y)];
-            self.corners.push([x, y]);
+    /// Bins a polygon that is not small.
+    fn add_shape(
+        &mut self,
+        polygon: &ScreenPolygon<'_>,
+        list: &DrawList,
+        (inside, outline): (Reach, Option<Outline>),
+        layout: &Layout,
+    ) {
+        let Some(&depth) = polygon.depth_plane() else { return };
+        let single = has_single_depth(list, &depth);
+        let first_corner = self.corners.len() as u32;
+        let cut_out = polygon.is_cut_out();
+        let is_fit = |outline: &Outline| single && !cut_out && are_in_range(outline.least, outline.most, layout.side);
+        let outline = outline.filter(is_fit);
+        let mut corner_count = 0;
+        if let Some(mut outline) = outline
+            && outline.make_ready()
+        {
+            if outline.corners().is_empty() {
+                return;
+            }
+            self.corners.extend_from_slice(outline.corners());
+            corner_count = outline.corners().len() as u8;
         }
-        (!outline.is_empty()).then_some((least, most))
+        let (way, kind) = match (corner_count > 0, single) {
+            _ if cut_out => (Way::CutOut, Kind::Other),
+            (true, _) => (Way::Edges, Kind::Edges),
+            (false, true) => (Way::Runs, Kind::Other),
+            (false, false) => (Way::Spans, Kind::Other),
+        };
+        let entry = Entry::new(self.shapes.len(), kind);
+        let (polygon, transparent) = (polygon.index, is_transparent(list, polygon));
+        let [columns, rows] = inside;
+        self.shapes.push(Shape { polygon, first_corner, corner_count, way, transparent, columns, rows, depth });
+        self.bin(entry, inside, layout);
     }
 }
 
-/// A coordinate in 1/256 of a sample; exact on grids of up to 8 bits.
-#[inline]
-fn fixed(snapped: f64) -> i32 {
-    (snapped * f64::from(1 << BITS)) as i32
+/// The part of a box that is inside the picture and among the rows that are drawn; `None` where there is none.
+#[inline(always)]
+fn cut([columns, rows]: Reach, layout: &Layout) -> Option<Reach> {
+    let columns = [columns[0].max(0), columns[1].min(layout.width)];
+    let rows = [rows[0].max(layout.rows.start), rows[1].min(layout.rows.end)];
+    (columns[0] < columns[1] && rows[0] < rows[1]).then_some([columns, rows])
 }
 
 /// The first column (or row) whose center is at or after a coordinate in 1/256 of a sample.
@@ -165,7 +223,7 @@ fn is_transparent(list: &DrawList, polygon: &ScreenPolygon<'_>) -> bool {
 /// The box of samples whose centers may be inside: columns, rows; `None` for a polygon without corners.
 ///
 /// A covered center is at or right of a left edge and strictly left of a right one, so between the outermost corners by the same rule.
-fn bounds(polygon: &ScreenPolygon<'_>, list: &DrawList) -> Option<([i32; 2], [i32; 2])> {
+fn bounds(polygon: &ScreenPolygon<'_>, list: &DrawList) -> Option<Reach> {
     let center = |vertex: &ScreenVertex| {
         let corner = vertex.homogeneous;
         if list.grid.is_exact() {
@@ -179,7 +237,7 @@ fn bounds(polygon: &ScreenPolygon<'_>, list: &DrawList) -> Option<([i32; 2], [i3
     let reach = vertices.map(center).fold([first, first], |[least, most], [x, y]| {
         [[least[0].min(x), least[1].min(y)], [most[0].max(x), most[1].max(y)]]
     });
-    Some(([reach[0][0], reach[1][0]], [reach[0][1], reach[1][1]]))
+    Some([[reach[0][0], reach[1][0]], [reach[0][1], reach[1][1]]])
 }
 
 /// Whether depth is 1/w itself and lanes of `f32` evaluate it.

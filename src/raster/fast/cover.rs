@@ -12,7 +12,7 @@
 //!
 //! Space: samples. Cost: see `docs/fast.md`.
 
-use super::bins::{MOST_EDGES, Segment, Shape};
+use super::bins::{Entry, Kind, MOST_EDGES, Segment, Shape};
 use super::edges::Edge;
 use super::lanes::counting;
 use super::layout::{Area, LANES};
@@ -26,8 +26,6 @@ use fearless_simd::{Level, Select, Simd, SimdBase, SimdMask, dispatch, f32x8, i3
 pub(super) const STEP: i32 = LANES as i32;
 /// Pieces of at least this many samples are first asked for as a whole.
 const LARGE: i32 = 64;
-/// Boxes of at most this many samples are drawn one by one.
-const TINY: i32 = 4;
 
 /// The samples of a tile.
 pub(super) struct Samples<'a> {
@@ -55,9 +53,9 @@ pub(super) fn blocks_across(samples: usize) -> usize {
     samples.div_ceil(BLOCK as usize) + 1
 }
 
-/// Draws the shapes of a segment with these numbers, one after the other.
-pub(super) fn draw(level: Level, mut samples: Samples<'_>, segment: &Segment, shapes: &[u32]) {
-    dispatch!(level, simd => draw_all(simd, &mut samples, segment, shapes));
+/// Draws small shapes and those with edges, one after the other.
+pub(super) fn draw(level: Level, mut samples: Samples<'_>, segment: &Segment, entries: &[Entry]) {
+    dispatch!(level, simd => draw_all(simd, &mut samples, segment, entries));
 }
 
 /// Columns of a row that a polygon covers: row, first column, end.
@@ -84,70 +82,27 @@ fn draw_steps<S: Simd>(simd: S, samples: &mut Samples<'_>, shape: &Shape, runs: 
             let anchor = plane.anchor(block_x, block_y);
             let first = [x - samples.area.columns.start, y - samples.area.rows.start];
             let index = first[1] as usize * samples.stride + first[0] as usize;
-            let rows = Rows { simd, index, first, size: [STEP, 1], shape, anchor };
             let dx = counting(simd) + f32x8::splat(simd, (x - block_x) as f32);
             let depth = in_block(f32x8::splat(simd, anchor), slope, [dx, dy]).hold(low, high);
             let column = numbers + i32x8::splat(simd, x);
             let inside = column.simd_ge(i32x8::splat(simd, start)) & column.simd_lt(i32x8::splat(simd, end));
-            rows.show(samples, index, depth, inside);
+            show(simd, samples, index, (depth, inside), (shape.polygon, shape.transparent));
             x += STEP;
         }
     }
 }
 
-/// The samples of one polygon, one by one: quicker than eight at a time where there are hardly any.
 #[inline(always)]
-fn draw_tiny(samples: &mut Samples<'_>, shape: &Shape, corners: &[[i32; 2]]) {
-    let area = samples.area;
-    let (left, top) = (shape.columns[0].max(area.columns.start), shape.rows[0].max(area.rows.start));
-    let (right, bottom) = (shape.columns[1].min(area.columns.end), shape.rows[1].min(area.rows.end));
-    let mut edges = [Edge::default(); MOST_EDGES];
-    let mut from = corners[corners.len() - 1];
-    for (edge, &to) in edges.iter_mut().zip(corners) {
-        *edge = Edge::new(from, to, (left, top));
-        from = to;
-    }
-    let edges = &edges[..corners.len()];
-    for y in top..bottom {
-        for x in left..right {
-            let mut outside = 0;
-            for edge in edges {
-                outside |= edge.start + edge.right * (x - left) + edge.down * (y - top);
-            }
-            if outside >= 0 {
-                let index = (y - area.rows.start) as usize * samples.stride + (x - area.columns.start) as usize;
-                show_one(samples, shape, (x, y), index);
-            }
+fn draw_all<S: Simd>(simd: S, samples: &mut Samples<'_>, segment: &Segment, entries: &[Entry]) {
+    for &entry in entries {
+        if entry.kind() == Kind::Small {
+            segment.smalls[entry.index()].draw(simd, samples);
+            continue;
         }
-    }
-}
-
-/// Shows the polygon at one sample, if it is nearer.
-#[inline(always)]
-fn show_one(samples: &mut Samples<'_>, shape: &Shape, (x, y): (i32, i32), index: usize) {
-    let before = samples.depth[index];
-    if shape.depth.high as f32 <= before {
-        return;
-    }
-    let depth = shape.depth.clamped_at(x, y) as f32;
-    if depth > before && shape.transparent {
-        let (index, polygon) = (index as u32, shape.polygon);
-        samples.veils.push(Veil { index, polygon, depth: f64::from(depth) });
-    } else if depth > before {
-        samples.depth[index] = depth;
-        samples.owner[index] = shape.polygon;
-    }
-}
-
-#[inline(always)]
-fn draw_all<S: Simd>(simd: S, samples: &mut Samples<'_>, segment: &Segment, shapes: &[u32]) {
-    for &number in shapes {
-        let shape = &segment.shapes[number as usize];
+        let shape = &segment.shapes[entry.index()];
         let first = shape.first_corner as usize;
         let corners = &segment.corners[first..first + usize::from(shape.corner_count)];
-        let (width, height) = (shape.columns[1] - shape.columns[0], shape.rows[1] - shape.rows[0]);
         match corners.len() {
-            _ if samples.shortcuts.tiny && width * height <= TINY => draw_tiny(samples, shape, corners),
             3 => draw_convex::<S, 3>(simd, samples, shape, corners),
             4 => draw_convex::<S, 4>(simd, samples, shape, corners),
             _ => draw_convex::<S, MOST_EDGES>(simd, samples, shape, corners),
@@ -297,7 +252,8 @@ impl<S: Simd> Rows<'_, S> {
                 let dy = f32x8::splat(simd, (dy + row) as f32);
                 let depth = in_block(anchor, [a, b], [dx, dy]).hold(low, high);
                 let inside = outside.simd_ge(i32x8::splat(simd, 0));
-                let after = self.show(samples, index, depth, inside);
+                let shape = self.shape;
+                let after = show(simd, samples, index, (depth, inside), (shape.polygon, shape.transparent));
                 farthest = after.simd_lt(farthest).select(after, farthest);
                 index += samples.stride;
                 row += 1;
@@ -305,40 +261,6 @@ impl<S: Simd> Rows<'_, S> {
             step += 1;
         }
         least(farthest)
-    }
-
-    /// Shows the polygon in those of eight lanes that are `inside` and where it is nearer; returns the depths that are left.
-    #[inline(always)]
-    fn show(&self, samples: &mut Samples<'_>, index: usize, depth: f32x8<S>, inside: mask32x8<S>) -> f32x8<S> {
-        let simd = self.simd;
-        let depths = &mut samples.depth[index..index + LANES as usize];
-        let before = f32x8::from_slice(simd, depths);
-        // Strictly nearer: of two polygons at the same depth, the first in the list keeps the sample.
-        let shown = inside & depth.simd_gt(before);
-        if self.shape.transparent {
-            self.push_veils(samples.veils, index, shown.to_bitmask(), depth);
-            return before;
-        }
-        let after = shown.select(depth, before);
-        if shown.any_true() {
-            after.store_slice(depths);
-            let owners = &mut samples.owner[index..index + LANES as usize];
-            let owner = u32x8::splat(simd, self.shape.polygon);
-            shown.select(owner, u32x8::from_slice(simd, owners)).store_slice(owners);
-        }
-        after
-    }
-
-    /// Keeps the lanes in `lanes` apart; those beside the picture are never asked for.
-    #[inline(always)]
-    fn push_veils(&self, veils: &mut Vec<Veil>, index: usize, lanes: u64, depth: f32x8<S>) {
-        let mut rest = lanes;
-        while rest != 0 {
-            let lane = rest.trailing_zeros() as usize;
-            let index = (index + lane) as u32;
-            veils.push(Veil { index, polygon: self.shape.polygon, depth: f64::from(depth.as_slice()[lane]) });
-            rest &= rest - 1;
-        }
     }
 
     /// The edge functions at eight samples of the first row, `right` samples from the first one on.
@@ -355,6 +277,44 @@ impl<S: Simd> Rows<'_, S> {
             index += 1;
         }
         values
+    }
+}
+
+/// Shows a polygon in those of eight lanes that are `inside` and where it is nearer; returns the depths that are left.
+#[inline(always)]
+pub(super) fn show<S: Simd>(
+    simd: S,
+    samples: &mut Samples<'_>,
+    index: usize,
+    (depth, inside): (f32x8<S>, mask32x8<S>),
+    (polygon, transparent): (u32, bool),
+) -> f32x8<S> {
+    let depths = &mut samples.depth[index..index + LANES as usize];
+    let before = f32x8::from_slice(simd, depths);
+    // Strictly nearer: of two polygons at the same depth, the first in the list keeps the sample.
+    let shown = inside & depth.simd_gt(before);
+    if transparent {
+        push_veils(samples.veils, index, shown.to_bitmask(), (depth, polygon));
+        return before;
+    }
+    let after = shown.select(depth, before);
+    if shown.any_true() {
+        after.store_slice(depths);
+        let owners = &mut samples.owner[index..index + LANES as usize];
+        let owner = u32x8::splat(simd, polygon);
+        shown.select(owner, u32x8::from_slice(simd, owners)).store_slice(owners);
+    }
+    after
+}
+
+/// Keeps the lanes in `lanes` apart; those beside the picture are never asked for.
+#[inline(always)]
+fn push_veils<S: Simd>(veils: &mut Vec<Veil>, index: usize, lanes: u64, (depth, polygon): (f32x8<S>, u32)) {
+    let mut rest = lanes;
+    while rest != 0 {
+        let lane = rest.trailing_zeros() as usize;
+        veils.push(Veil { index: (index + lane) as u32, polygon, depth: f64::from(depth.as_slice()[lane]) });
+        rest &= rest - 1;
     }
 }
 

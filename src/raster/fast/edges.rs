@@ -10,7 +10,8 @@
 //!
 //! Space: 1/256 of a sample; y runs down. Cost: two multiplications an edge and tile, one addition an edge and step of samples.
 
-use super::bins::BITS;
+use super::bins::{BITS, MOST_EDGES};
+use crate::screen::ScreenVertex;
 
 /// Bound of E >> 8 at the first sample of a tile.
 const CLAMP: i64 = 1 << 30;
@@ -39,54 +40,95 @@ impl Edge {
     }
 }
 
-/// Brings the corners from `first` on into the form that edges are made of: no corner twice, inside on the right. Says whether the
-/// outline is convex; one without area loses all its corners.
-#[inline]
-pub(super) fn make_ready(corners: &mut Vec<[i32; 2]>, first: usize) -> bool {
-    if let &[a, b, c] = &corners[first..] {
-        let [u, v] = [between(a, b), between(b, c)];
-        let cross = u[0] * v[1] - u[1] * v[0];
-        if cross < 0 {
-            corners[first..].reverse();
+/// An outline of a few corners in 1/256 of a sample.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Outline {
+    corners: [[i32; 2]; MOST_EDGES],
+    count: usize,
+    pub least: [i32; 2],
+    pub most: [i32; 2],
+}
+
+impl Outline {
+    /// `None` for an outline without corners. At most [`MOST_EDGES`], on a grid of at most 8 bits.
+    #[inline(always)]
+    pub fn new(vertices: &[ScreenVertex]) -> Option<Outline> {
+        let (mut least, mut most) = ([i32::MAX; 2], [i32::MIN; 2]);
+        let mut corners = [[0; 2]; MOST_EDGES];
+        for (corner, vertex) in corners.iter_mut().zip(vertices) {
+            let [x, y] = [fixed(vertex.x), fixed(vertex.y)];
+            least = [least[0].min(x), least[1].min(y)];
+            most = [most[0].max(x), most[1].max(y)];
+            *corner = [x, y];
         }
-        if cross == 0 {
-            corners.truncate(first);
-        }
-        return true;
+        let count = vertices.len();
+        (count > 0).then_some(Outline { corners, count, least, most })
     }
-    drop_repeated(corners, first);
-    match turn(&corners[first..]) {
-        Turn::Right => true,
-        Turn::Left => {
-            corners[first..].reverse();
-            true
-        }
-        Turn::Flat => {
-            corners.truncate(first);
-            true
-        }
-        Turn::Both => false,
+
+    #[inline(always)]
+    pub fn corners(&self) -> &[[i32; 2]] {
+        &self.corners[..self.count]
     }
+
+    /// Brings it into the form that edges are made of: no corner twice, inside on the right. Says whether it is convex; one without
+    /// area loses all its corners.
+    #[inline(always)]
+    pub fn make_ready(&mut self) -> bool {
+        if let &[a, b, c] = self.corners() {
+            let [u, v] = [between(a, b), between(b, c)];
+            let cross = u[0] * v[1] - u[1] * v[0];
+            if cross < 0 {
+                self.corners.swap(0, 2);
+            }
+            if cross == 0 {
+                self.count = 0;
+            }
+            return true;
+        }
+        self.make_larger_ready()
+    }
+
+    fn make_larger_ready(&mut self) -> bool {
+        self.drop_repeated();
+        match turn(self.corners()) {
+            Turn::Right => true,
+            Turn::Left => {
+                self.corners[..self.count].reverse();
+                true
+            }
+            Turn::Flat => {
+                self.count = 0;
+                true
+            }
+            Turn::Both => false,
+        }
+    }
+
+    /// Drops corners that are where the one before is.
+    fn drop_repeated(&mut self) {
+        let mut kept = 0;
+        for index in 0..self.count {
+            if kept == 0 || self.corners[index] != self.corners[kept - 1] {
+                self.corners[kept] = self.corners[index];
+                kept += 1;
+            }
+        }
+        while kept > 1 && self.corners[kept - 1] == self.corners[0] {
+            kept -= 1;
+        }
+        self.count = kept;
+    }
+}
+
+/// A coordinate in 1/256 of a sample; exact on grids of up to 8 bits.
+#[inline(always)]
+fn fixed(snapped: f64) -> i32 {
+    (snapped * f64::from(1 << BITS)) as i32
 }
 
 #[inline]
 fn between(from: [i32; 2], to: [i32; 2]) -> [i64; 2] {
     [i64::from(to[0]) - i64::from(from[0]), i64::from(to[1]) - i64::from(from[1])]
-}
-
-/// Drops corners that are where the one before is.
-fn drop_repeated(corners: &mut Vec<[i32; 2]>, first: usize) {
-    let mut kept = first;
-    for index in first..corners.len() {
-        if kept == first || corners[index] != corners[kept - 1] {
-            corners[kept] = corners[index];
-            kept += 1;
-        }
-    }
-    while kept > first + 1 && corners[kept - 1] == corners[first] {
-        kept -= 1;
-    }
-    corners.truncate(kept);
 }
 
 /// Whether edge functions of an outline between `least` and `most` keep within 32 bits in tiles of `side` samples.

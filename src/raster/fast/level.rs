@@ -22,8 +22,8 @@ pub enum Instructions {
 /// Shortcuts that save time and change nothing; each can be left out, to measure it and to test what is behind it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shortcuts {
-    /// Boxes of up to four samples are drawn one sample after the other, not eight at a time.
-    pub tiny: bool,
+    /// Polygons in squares of 8 x 8 samples are decided when they are binned.
+    pub small: bool,
     /// Blocks outside an edge are left out; inside all edges, edges are not looked at.
     pub blocks: bool,
     /// Blocks in which a polygon is nowhere nearer than the farthest that is there are left out.
@@ -32,14 +32,48 @@ pub struct Shortcuts {
 
 impl Default for Shortcuts {
     fn default() -> Self {
-        Shortcuts { tiny: true, blocks: true, far: true }
+        Shortcuts { small: true, blocks: true, far: true }
     }
 }
+
+/// The environment variable that says which instructions `-r fast` is to use: for measuring, and for looking for a difference.
+pub const VARIABLE: &str = "FAROP_INSTRUCTIONS";
 
 impl Instructions {
     /// All of them, slowest first.
     pub const ALL: [Instructions; 4] =
         [Instructions::Plain, Instructions::Baseline, Instructions::Avx2, Instructions::Best];
+
+    /// What [`VARIABLE`] calls them.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Instructions::Plain => "plain",
+            Instructions::Baseline => "sse2",
+            Instructions::Avx2 => "avx2",
+            Instructions::Best => "best",
+        }
+    }
+
+    /// What [`VARIABLE`] asks for; the best without it.
+    ///
+    /// # Errors
+    /// What is wrong, if it is no name.
+    pub fn asked() -> Result<Instructions, String> {
+        let Some(asked) = std::env::var_os(VARIABLE) else { return Ok(Instructions::Best) };
+        let found = Instructions::ALL.into_iter().find(|instructions| asked == instructions.name());
+        found.ok_or_else(|| {
+            let names = Instructions::ALL.map(Instructions::name).join(", ");
+            format!("the environment variable {VARIABLE} is `{}`; it is one of {names}, or unset", asked.display())
+        })
+    }
+
+    /// What this processor does with it: a choice that it does not have is the best there is.
+    #[must_use]
+    pub fn here(self) -> String {
+        let level = format!("{:?}", self.level());
+        level.split(['(', ' ', '{']).next().unwrap_or_default().to_lowercase()
+    }
 
     /// A level that this processor has.
     pub(super) fn level(self) -> Level {

@@ -20,12 +20,14 @@ mod edges;
 mod lanes;
 mod layout;
 mod level;
+mod planes;
 mod shade;
 mod sink;
+mod small;
 mod textured;
 mod tile;
 
-pub use level::{Instructions, Shortcuts};
+pub use level::{Instructions, Shortcuts, VARIABLE};
 
 use self::bins::Segment;
 use self::layout::{LARGEST_SIDE, Layout, side_of_whole_pixels};
@@ -34,6 +36,7 @@ use self::sink::{PixelRows, Samples, Sink};
 use self::tile::{Counts, Depth, Tile};
 use super::{Pixels, PutCounts, Rasterizer, Target, ZBuffer};
 use crate::screen::{DrawList, Precision};
+use fearless_simd::Level;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
@@ -51,8 +54,9 @@ pub struct Fast {
 }
 
 impl Default for Fast {
+    /// With the instructions that [`VARIABLE`] asks for; the best if that is no name.
     fn default() -> Self {
-        Fast::new(64, Instructions::Best)
+        Fast::new(64, Instructions::asked().unwrap_or_default())
     }
 }
 
@@ -60,6 +64,7 @@ impl Default for Fast {
 #[derive(Debug, Default)]
 struct Memory {
     segments: Vec<Segment>,
+    order: Vec<u32>,
     single: Vec<Tile<f32>>,
     double: Vec<Tile<f64>>,
 }
@@ -84,9 +89,11 @@ impl Fast {
     fn run(&self, job: &Job<'_>, sink: &(impl Sink<f32> + Sink<f64>)) -> PutCounts {
         let mut memory = self.pool.lock().unwrap_or_else(PoisonError::into_inner).pop().unwrap_or_default();
         job.fill(&mut memory.segments);
+        let Memory { segments, order, single, double } = &mut memory;
+        job.sort(segments, order);
         let counts = match job.list.precision {
-            Precision::Single => job.draw(&memory.segments, &mut memory.single, sink),
-            Precision::Double => job.draw(&memory.segments, &mut memory.double, sink),
+            Precision::Single => job.draw((segments, order), single, sink),
+            Precision::Double => job.draw((segments, order), double, sink),
         };
         self.pool.lock().unwrap_or_else(PoisonError::into_inner).push(memory);
         let mut puts = PutCounts { puts: counts.puts, ..PutCounts::default() };
@@ -104,43 +111,72 @@ impl Job<'_> {
         segments.resize_with(self.threads, Segment::default);
         let each = self.list.len().div_ceil(self.threads).max(1);
         let range = |number: usize| (number * each).min(self.list.len())..((number + 1) * each).min(self.list.len());
-        in_threads(segments.iter_mut().enumerate().collect(), |(number, segment)| {
-            segment.fill(self.list, range(number), &self.layout);
+        let (level, small) = (self.instructions.level(), self.shortcuts.small);
+        in_threads(segments, |number, segment| {
+            segment.fill(self.list, range(number), (&self.layout, small), level);
         });
     }
 
+    /// Puts tiles in the order in which they are drawn: on several threads the longest lists first, so that none is left for the end.
+    fn sort(&self, segments: &[Segment], order: &mut Vec<u32>) {
+        order.clear();
+        order.extend(0..self.layout.tiles() as u32);
+        if self.threads > 1 {
+            let length = |&tile: &u32| segments.iter().map(|segment| segment.bins[tile as usize].len()).sum::<usize>();
+            order.sort_unstable_by_key(|tile| (std::cmp::Reverse(length(tile)), *tile));
+        }
+    }
+
     /// Draws all tiles, each by the first thread that is free.
-    fn draw<D: Depth>(&self, segments: &[Segment], tiles: &mut Vec<Tile<D>>, sink: &impl Sink<D>) -> Counts {
+    fn draw<D: Depth>(
+        &self,
+        (segments, order): (&[Segment], &[u32]),
+        tiles: &mut Vec<Tile<D>>,
+        sink: &impl Sink<D>,
+    ) -> Counts {
         tiles.resize_with(self.threads, Tile::new);
         let next = AtomicUsize::new(0);
         let level = self.instructions.level();
-        in_threads(tiles.iter_mut().collect(), |tile: &mut Tile<D>| {
+        in_threads(tiles, |_, tile: &mut Tile<D>| {
             tile.counts = Counts::default();
-            loop {
-                let number = next.fetch_add(1, Ordering::Relaxed);
-                if number >= self.layout.tiles() {
-                    break;
-                }
-                tile.shortcuts = self.shortcuts;
-                tile.clear(self.layout.area(number), self.layout.side as usize);
-                tile.draw(self.list, segments, number, level);
-                tile.shade(self.list, self.behind, level);
-                sink.take(tile);
+            while let Some(&number) = order.get(next.fetch_add(1, Ordering::Relaxed)) {
+                self.draw_tile(segments, number as usize, (tile, level), sink);
             }
         });
         tiles.iter().fold(Counts::default(), |sum, tile| sum + tile.counts)
     }
+
+    fn draw_tile<D: Depth>(
+        &self,
+        segments: &[Segment],
+        number: usize,
+        (tile, level): (&mut Tile<D>, Level),
+        sink: &impl Sink<D>,
+    ) {
+        if segments.iter().all(|segment| segment.bins[number].is_empty()) {
+            return sink.fill(&self.layout.area(number), self.behind.background);
+        }
+        tile.shortcuts = self.shortcuts;
+        tile.clear(self.layout.area(number), self.layout.side as usize);
+        tile.draw(self.list, segments, number, level);
+        tile.shade(self.list, self.behind, level);
+        sink.take(tile);
+    }
 }
 
-/// Calls `work` for each part, on a thread of its own if there are several.
-fn in_threads<T: Send>(mut parts: Vec<T>, work: impl Fn(T) + Sync) {
-    let Some(own) = parts.pop() else { return };
+/// Calls `work` for each part and its number, on a thread of its own if there are several.
+fn in_threads<T: Send>(parts: &mut [T], work: impl Fn(usize, &mut T) + Sync) {
+    let Some((own, others)) = parts.split_first_mut() else { return };
     let work = &work;
+    if others.is_empty() {
+        // A scope alone costs an allocation.
+        return work(0, own);
+    }
     std::thread::scope(|scope| {
-        for part in parts {
-            scope.spawn(move || work(part));
+        for (number, part) in others.iter_mut().enumerate() {
+            scope.spawn(move || work(number + 1, part));
         }
-        work(own);
+        work(0, own);
     });
 }
 

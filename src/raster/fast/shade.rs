@@ -20,16 +20,29 @@ pub(super) struct Behind {
     pub rule: Transparency,
 }
 
+/// Transparent fragments of a tile that show, sample by sample.
+#[derive(Debug, Default)]
+pub(super) struct Blended {
+    /// Those of one sample.
+    in_front: Vec<Fragment>,
+    /// Those of all, nearest first.
+    fragments: Vec<Fragment>,
+    /// Where a sample is kept, and where its fragments end.
+    ends: Vec<(usize, usize)>,
+}
+
 impl<D: Depth> Tile<D> {
     /// Finds the light of every sample.
     pub fn shade(&mut self, list: &DrawList, behind: Behind, level: Level) {
-        self.light.resize(self.owner.len(), behind.background);
+        let samples = self.owner.len();
+        self.light.iter_mut().for_each(|channel| channel.resize(samples, 0.0));
         let by_planes = color::applies(list);
         let is_done = self.shade_textured(list, behind.background);
         match D::singles(&mut self.depth) {
             _ if is_done => {}
             Some(depth) if by_planes => {
-                let (area, stride, owner, light) = (&self.area, self.stride, &self.owner, &mut self.light);
+                let (area, stride, owner) = (&self.area, self.stride, &self.owner);
+                let light = self.light.each_mut().map(Vec::as_mut_slice);
                 let background = behind.background;
                 let mut tile = Finished { list, background, area, stride, depth, owner, light, shown: 0, powers: 0 };
                 color::shade(level, &mut tile);
@@ -39,49 +52,72 @@ impl<D: Depth> Tile<D> {
             _ => self.shade_samples(list, behind.background),
         }
         if !self.veils.is_empty() {
-            self.blend(list, behind.rule, by_planes);
+            self.blend(list, behind.rule, by_planes.then_some(level));
         }
     }
 
     /// Shades sample by sample.
     fn shade_samples(&mut self, list: &DrawList, background: Rgb<f32>) {
-        self.light.fill(background);
         for y in self.area.rows.clone() {
             for x in self.area.columns.clone() {
                 let index = self.index(x, y);
+                let mut color = background;
                 if self.owner[index] != NOBODY {
                     let polygon = list.polygon(self.owner[index] as usize);
-                    self.light[index] = list.shader.fragment(&polygon, x, y).color;
+                    color = list.shader.fragment(&polygon, x, y).color;
                     self.counts.puts += 1;
                 }
+                self.set_light(index, color);
             }
         }
     }
 
-    /// Blends the transparent fragments in front of each opaque sample, by the target's own functions.
-    fn blend(&mut self, list: &DrawList, rule: Transparency, by_planes: bool) {
+    /// What a sample shows.
+    pub fn light(&self, index: usize) -> Rgb<f32> {
+        let [red, green, blue] = &self.light;
+        Rgb::new(red[index], green[index], blue[index])
+    }
+
+    pub(super) fn set_light(&mut self, index: usize, color: Rgb<f32>) {
+        for (channel, value) in self.light.iter_mut().zip(color.to_array()) {
+            channel[index] = value;
+        }
+    }
+
+    /// Blends the transparent fragments in front of each opaque sample, by the target's own functions; colors come from lanes if
+    /// there is a `level`.
+    fn blend(&mut self, list: &DrawList, rule: Transparency, level: Option<Level>) {
         self.counts.puts += self.veils.len() as u64;
         let veils = std::mem::take(&mut self.veils);
         veils.iter().for_each(|&veil| self.keep(list, veil));
         self.veils = veils;
-        let mut sorted = Vec::new();
+        let Blended { mut in_front, mut fragments, mut ends } = std::mem::take(&mut self.blended);
+        fragments.clear();
+        ends.clear();
         for index in 0..self.owner.len() {
-            self.layers.in_front(index, self.depth[index].widened(), self.owner[index], &mut sorted);
-            if sorted.is_empty() {
-                continue;
+            self.layers.in_front(index, self.depth[index].widened(), self.owner[index], &mut in_front);
+            if !in_front.is_empty() {
+                fragments.extend_from_slice(&in_front);
+                ends.push((index, fragments.len()));
             }
-            // Only what is in front after all is shaded.
-            for layer in &mut sorted {
-                let (at, polygon) = ((layer.x, layer.y), list.polygon(layer.polygon as usize));
-                layer.color = if by_planes {
-                    color::of_sample(list, layer.polygon, at, layer.depth as f32)
-                } else {
-                    list.shader.fragment(&polygon, at.0, at.1).color
-                };
-                layer.opacity = list.shader.opacity(&polygon);
-            }
-            self.light[index] = composite(&sorted, self.light[index], rule);
         }
+        // Only what is in front after all is shaded.
+        if let Some(level) = level {
+            color::shade_fragments(level, list, &mut fragments);
+        }
+        for fragment in &mut fragments {
+            let polygon = list.polygon(fragment.polygon as usize);
+            fragment.opacity = list.shader.opacity(&polygon);
+            if level.is_none() {
+                fragment.color = list.shader.fragment(&polygon, fragment.x, fragment.y).color;
+            }
+        }
+        let mut first = 0;
+        for &(index, end) in &ends {
+            self.set_light(index, composite(&fragments[first..end], self.light(index), rule));
+            first = end;
+        }
+        self.blended = Blended { in_front, fragments, ends };
     }
 
     /// Keeps a transparent fragment among the layers, if it may be in front of what is opaque.

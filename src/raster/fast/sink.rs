@@ -8,7 +8,6 @@
 use super::layout::Area;
 use super::tile::{Depth, NOBODY, Tile};
 use crate::color::Rgb;
-use crate::image::box_mean;
 use crate::raster::{Pixels, Target};
 use crate::screen::Fragment;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -16,6 +15,8 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 /// Takes finished tiles.
 pub(super) trait Sink<D>: Sync {
     fn take(&self, tile: &Tile<D>);
+    /// Takes a tile on which nothing is drawn.
+    fn fill(&self, area: &Area, background: Rgb<f32>);
 }
 
 /// Locks; a panic elsewhere is passed on by the thread that had it.
@@ -52,15 +53,47 @@ impl<D: Depth> Sink<D> for PixelRows<'_> {
         let mut band = lock(band);
         for (number, pixels) in band.chunks_mut(self.width).enumerate() {
             let top = number * self.samples * tile.stride;
+            let light = tile.light.each_ref().map(|channel| &channel[top..]);
             let pixels = &mut pixels[left..right];
-            if self.samples == 1 {
-                pixels.copy_from_slice(&tile.light[top..top + pixels.len()]);
-                continue;
-            }
-            for (column, pixel) in pixels.iter_mut().enumerate() {
-                *pixel = box_mean(&tile.light[top + column * self.samples..], tile.stride, self.samples);
+            match self.samples {
+                1 => means::<1>(pixels, light, (tile.stride, 1)),
+                2 => means::<2>(pixels, light, (tile.stride, 2)),
+                4 => means::<4>(pixels, light, (tile.stride, 4)),
+                samples => means::<0>(pixels, light, (tile.stride, samples)),
             }
         }
+    }
+
+    fn fill(&self, area: &Area, background: Rgb<f32>) {
+        let Some(band) = self.bands.get((area.rows.start / self.side) as usize) else { return };
+        let left = area.columns.start as usize / self.samples;
+        let right = (area.columns.end as usize / self.samples).min(self.width);
+        lock(band).chunks_mut(self.width).for_each(|pixels| pixels[left..right].fill(background));
+    }
+}
+
+/// Means of `samples` x `samples` samples, rows `stride` apart, in the order of [`crate::image::box_mean`]; A is `samples`, or 0
+/// if the program is not made ready for it.
+#[inline(always)]
+fn means<const A: usize>(pixels: &mut [Rgb<f32>], light: [&[f32]; 3], (stride, samples): (usize, usize)) {
+    let samples = if A == 0 { samples } else { A };
+    let [red, green, blue] = light;
+    if A == 1 {
+        for (((pixel, &r), &g), &b) in pixels.iter_mut().zip(red).zip(green).zip(blue) {
+            *pixel = Rgb::new(r, g, b);
+        }
+        return;
+    }
+    let count = (samples * samples) as f64;
+    for (number, pixel) in pixels.iter_mut().enumerate() {
+        let mut sums = [0.0_f64; 3];
+        for row in 0..samples {
+            let range = row * stride + number * samples..row * stride + (number + 1) * samples;
+            for ((&r, &g), &b) in red[range.clone()].iter().zip(&green[range.clone()]).zip(&blue[range]) {
+                sums = [sums[0] + f64::from(r), sums[1] + f64::from(g), sums[2] + f64::from(b)];
+            }
+        }
+        *pixel = Rgb::from(sums.map(|sum| sum / count)).to_f32();
     }
 }
 
@@ -73,7 +106,7 @@ impl<D: Depth> Sink<D> for Samples<'_, '_> {
         for y in tile.area.rows.clone() {
             for x in tile.area.columns.clone() {
                 let index = tile.index(x, y);
-                let (polygon, color) = (tile.owner[index], tile.light[index]);
+                let (polygon, color) = (tile.owner[index], tile.light(index));
                 if polygon != NOBODY {
                     let depth = tile.depth[index].widened();
                     target.put(Fragment { x, y, depth, color, opacity: Rgb::gray(1.0), polygon });
@@ -81,6 +114,13 @@ impl<D: Depth> Sink<D> for Samples<'_, '_> {
                     target.show(x, y, color);
                 }
             }
+        }
+    }
+
+    fn fill(&self, area: &Area, background: Rgb<f32>) {
+        let mut target = lock(&self.0);
+        for y in area.rows.clone() {
+            area.columns.clone().for_each(|x| target.show(x, y, background));
         }
     }
 }

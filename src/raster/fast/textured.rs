@@ -125,7 +125,9 @@ impl<D: Depth> Tile<D> {
         if !list.has_texture() || !applies(list) {
             return false;
         }
-        self.light.fill(background);
+        for (channel, value) in self.light.iter_mut().zip(background.to_array()) {
+            channel.fill(value);
+        }
         let mut ready = Ready::nothing();
         for y in self.area.rows.clone() {
             for x in self.area.columns.clone() {
@@ -135,7 +137,8 @@ impl<D: Depth> Tile<D> {
                     if ready.polygon != polygon || ready.block != block_of((x, y)) {
                         ready = Ready::new(list, polygon, (x, y));
                     }
-                    self.light[index] = ready.light(list, (x, y), self.depth[index].widened() as f32);
+                    let light = ready.light(list, (x, y), self.depth[index].widened() as f32);
+                    self.set_light(index, light);
                     self.counts.puts += 1;
                 }
             }

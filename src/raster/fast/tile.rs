@@ -8,11 +8,11 @@
 //! Space: samples of the tile, row by row, `stride` to a row.
 //! Cost: 8 bytes a sample, 12 with `f64` depth.
 
-use super::bins::{Segment, Shape, Way};
+use super::bins::{Entry, Kind, Segment, Shape, Way};
 use super::cover::{self, Run, Samples, blocks_across};
-use super::layout::Area;
+use super::layout::{Area, LANES};
 use super::level::Shortcuts;
-use crate::color::Rgb;
+use super::shade::Blended;
 use crate::raster::coverage::Spans;
 use crate::raster::layers::Layers;
 use crate::screen::{DrawList, ScreenPolygon};
@@ -72,8 +72,9 @@ pub(super) struct Tile<D> {
     /// Those of them that are blended.
     pub layers: Layers,
     runs: Vec<Run>,
-    /// What the samples show, when they are shaded.
-    pub light: Vec<Rgb<f32>>,
+    pub blended: Blended,
+    /// What the samples show, when they are shaded: red, green, blue.
+    pub light: [Vec<f32>; 3],
     pub counts: Counts,
     pub shortcuts: Shortcuts,
 }
@@ -111,7 +112,7 @@ impl std::ops::Add for Counts {
 impl<D: Depth> Tile<D> {
     pub fn new() -> Tile<D> {
         let (area, layers) = (Area { columns: 0..0, rows: 0..0 }, Layers::default());
-        let (depth, owner, light, counts) = (Vec::new(), Vec::new(), Vec::new(), Counts::default());
+        let (depth, owner, light, counts) = (Vec::new(), Vec::new(), Default::default(), Counts::default());
         let shortcuts = Shortcuts::default();
         Tile {
             area,
@@ -122,6 +123,7 @@ impl<D: Depth> Tile<D> {
             veils: Vec::new(),
             layers,
             runs: Vec::new(),
+            blended: Blended::default(),
             light,
             counts,
             shortcuts,
@@ -130,7 +132,8 @@ impl<D: Depth> Tile<D> {
 
     /// Empties it and puts it over `area`; rows are `stride` samples apart.
     pub fn clear(&mut self, area: Area, stride: usize) {
-        let samples = stride * area.rows.len();
+        // Eight samples that start in the last row end in the array.
+        let samples = stride * area.rows.len() + LANES as usize;
         self.depth.clear();
         self.depth.resize(samples, D::FAR);
         self.owner.clear();
@@ -152,32 +155,29 @@ impl<D: Depth> Tile<D> {
     pub fn draw(&mut self, list: &DrawList, segments: &[Segment], number: usize, level: Level) {
         let mut spans = Spans::within(self.area.columns.clone());
         for segment in segments {
-            let mut shapes = segment.bins[number].as_slice();
-            while !shapes.is_empty() {
-                let edges =
-                    shapes.iter().take_while(|&&shape| segment.shapes[shape as usize].way == Way::Edges).count();
-                let (by_edges, rest) = shapes.split_at(edges);
+            let mut entries = segment.bins[number].as_slice();
+            while !entries.is_empty() {
+                let other = entries.iter().position(|entry| entry.kind() == Kind::Other).unwrap_or(entries.len());
+                let (by_edges, rest) = entries.split_at(other);
                 self.draw_edges(segment, by_edges, level);
-
-                if let Some((&shape, after)) = rest.split_first() {
-                    let shape = &segment.shapes[shape as usize];
+                entries = rest;
+                if let Some((entry, after)) = rest.split_first() {
+                    let shape = &segment.shapes[entry.index()];
                     match shape.way {
                         Way::CutOut => self.draw_cut_out(list, shape, &mut spans),
                         Way::Runs => self.draw_runs(list, shape, &mut spans, level),
                         Way::Edges | Way::Spans => self.draw_spans(list, shape, &mut spans),
                     }
-                    shapes = after;
-                } else {
-                    shapes = rest;
+                    entries = after;
                 }
             }
         }
     }
 
-    fn draw_edges(&mut self, segment: &Segment, shapes: &[u32], level: Level) {
-        self.counts.edges += shapes.len() as u64;
+    fn draw_edges(&mut self, segment: &Segment, entries: &[Entry], level: Level) {
+        self.counts.edges += entries.len() as u64;
         if let Some(samples) = self.samples() {
-            cover::draw(level, samples, segment, shapes);
+            cover::draw(level, samples, segment, entries);
         }
     }
 
