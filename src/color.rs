@@ -162,7 +162,8 @@ impl Encoding {
     #[must_use]
     pub fn level(self, light: f32) -> u8 {
         match self {
-            Encoding::Linear => (f64::from(light) * 255.0).round().clamp(0.0, 255.0) as u8,
+            // The cast cuts at 0 and 255, and drops what is behind the point: halves go up.
+            Encoding::Linear => (f64::from(light) * 255.0 + 0.5) as u8,
             Encoding::Srgb => srgb_level(light),
         }
     }
@@ -234,6 +235,18 @@ mod tests {
             let rounded = (srgb_encode(f64::from(light)) * 255.0).round().clamp(0.0, 255.0) as u8;
             assert_eq!(Encoding::Srgb.level(light), rounded, "light {light}");
             light += 1.7e-5;
+        }
+    }
+
+    #[test]
+    fn linear_levels_are_the_nearest() {
+        for level in 0..=255u32 {
+            // Where the next level begins, and its neighbors among the floats.
+            let border = ((f64::from(level) + 0.5) / 255.0) as f32;
+            for light in [border, border.next_up(), border.next_down(), border / 3.0, -border] {
+                let rounded = (f64::from(light) * 255.0).round().clamp(0.0, 255.0) as u8;
+                assert_eq!(Encoding::Linear.level(light), rounded, "light {light}");
+            }
         }
     }
 

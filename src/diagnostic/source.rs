@@ -93,7 +93,7 @@ impl Lines<'_> {
             *self = self.source.lines();
         }
         let stretch = &self.source.text[self.offset as usize..offset as usize];
-        self.line += stretch.iter().filter(|&&byte| byte == b'\n').count() as u32;
+        self.line += line_breaks(stretch);
         self.offset = offset;
         while let Some(gap) = self.source.gaps.get(self.gaps_passed).filter(|gap| gap.before <= offset) {
             self.line += gap.lines;
@@ -101,6 +101,12 @@ impl Lines<'_> {
         }
         self.line
     }
+}
+
+/// How many line breaks there are. Counted in bytes, so that a compiler can count many at a time.
+fn line_breaks(bytes: &[u8]) -> u32 {
+    let few = |bytes: &[u8]| bytes.iter().fold(0_u8, |count, &byte| count + u8::from(byte == b'\n'));
+    bytes.chunks(255).map(|chunk| u32::from(few(chunk))).sum()
 }
 
 #[cfg(test)]

@@ -110,6 +110,11 @@ impl Filter {
                 self.in_comment = false;
                 rest = &rest[end..];
             }
+            if source.text.len() == self.line_start {
+                let plain = plain_lines(rest);
+                self.keep_plain(&rest[..plain], source);
+                rest = &rest[plain..];
+            }
             let end = rest.iter().position(|&byte| byte == b'\n' || byte == b'#').unwrap_or(rest.len());
             self.keep_words(&rest[..end], source)?;
             match rest.get(end) {
@@ -137,6 +142,20 @@ impl Filter {
         Ok(&rest[same..])
     }
 
+    /// Keeps lines that all say something, as they are.
+    fn keep_plain(&mut self, lines: &[u8], source: &mut Source) {
+        if lines.is_empty() {
+            return;
+        }
+        if self.dropped > 0 {
+            source.gaps.push(Gap { before: self.line_start as u32, lines: self.dropped });
+            self.dropped = 0;
+        }
+        source.text.extend_from_slice(lines);
+        self.line_start = source.text.len();
+        self.speaks = false;
+    }
+
     fn keep_words(&mut self, words: &[u8], source: &mut Source) -> Result<(), LineTooLong> {
         source.text.extend_from_slice(words);
         if source.text.len() - self.line_start > LINE_LIMIT {
@@ -162,6 +181,30 @@ impl Filter {
         self.speaks = false;
         self.line_start = source.text.len();
     }
+}
+
+/// How many bytes whole lines take, from the start of a line on, that need no care: no comment in them, and no white space in front,
+/// which might be all there is. Shorter than a chunk, and so than [`LINE_LIMIT`].
+fn plain_lines(bytes: &[u8]) -> usize {
+    if bytes.first().is_none_or(|&byte| byte <= b' ') {
+        return 0;
+    }
+    let needs_care = |byte: u8, next: u8| (byte == b'#') | ((byte == b'\n') & (next <= b' '));
+    // Blocks are looked at whole, which a compiler can do many bytes at a time.
+    const BLOCK: usize = 64;
+    let mut start = 0;
+    while let Some(block) = bytes.get(start..start + BLOCK + 1) {
+        let pairs = block[..BLOCK].iter().zip(&block[1..]);
+        if pairs.fold(false, |found, (&byte, &next)| found | needs_care(byte, next)) {
+            break;
+        }
+        start += BLOCK;
+    }
+    let pairs = bytes[start..].windows(2);
+    let found = pairs.into_iter().position(|pair| needs_care(pair[0], pair[1]));
+    // The line before a blank one is whole.
+    let end = found.map_or(bytes.len(), |at| start + at + usize::from(bytes[start + at] == b'\n'));
+    bytes[..end].iter().rposition(|&byte| byte == b'\n').map_or(0, |newline| newline + 1)
 }
 
 fn unreadable(name: &str, error: &io::Error) -> Diagnostics {

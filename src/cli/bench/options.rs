@@ -29,7 +29,7 @@ pub(in crate::cli) struct BenchCommand {
     /// Start no further round after so many seconds a scene
     #[arg(long, value_name = "SECONDS", default_value_t = 60.0, value_parser = seconds)]
     pub budget: f64,
-    /// How times grow with triangles (1k to MOST) and with pixels (64x64 to 8192x8192)
+    /// How times grow with triangles (1k to MOST) and with pixels (64x64 to 8192x8192, as --max-pixels allows)
     #[arg(long, value_name = "MOST", num_args = 0..=1, require_equals = true, default_missing_value = "1m",
           value_parser = ["10k", "100k", "1m", "10m"])]
     pub scaling: Option<String>,

@@ -66,7 +66,9 @@ impl BenchCommand {
 
     fn in_pixels(&self, chosen: &[Chosen<'_>]) -> Result<Vec<Curve>, CliError> {
         let scene = self.load(SCENE)?;
-        let points = SIDES.iter().map(|&side| {
+        let most = self.picture.choices().max_pixels;
+        let sides = SIDES.iter().filter(|&&side| u64::from(side) * u64::from(side) <= most);
+        let points = sides.map(|&side| {
             let rows = self.measure(&scene, chosen, (side, side))?;
             Ok((f64::from(side) * f64::from(side), rows))
         });

@@ -32,8 +32,8 @@ pub struct Subject {
 
 /// What the columns mean.
 pub const LEGEND: &str = "\
-times     milliseconds of the clock, medians; frame: plan to levels (8 bits a channel), with its quarters;
-          cpu: of the processor, all threads; write: the picture as PNG, on top
+times     milliseconds of the clock, medians; frame: plan to levels (8 bits a channel), with its
+          quarters; cpu: of the processor, all threads; write: the picture as PNG, on top
 Mtri/s    triangles into the pipeline, Mpx/s: pixels of the picture, in millions a second of frame
 B/px      bytes of memory a frame is made in (draw list, sample grid, picture) for each pixel
 differ    pixels that show something else than the first row's
@@ -43,17 +43,16 @@ differ    pixels that show something else than the first row's
 #[must_use]
 pub fn text(subject: &Subject, rows: &[Row]) -> String {
     let mut text = head(subject, rows);
-    let width = rows.iter().map(|row| row.name.chars().count()).max().unwrap_or(0).clamp(10, 24);
     let _ = writeln!(
         text,
-        "{:width$} thr  plan geomet  raster levels   frame (quarters)         cpu  write Mtri/s Mpx/s   B/px differ",
+        "{:10} thr plan geomet raster levels  frame (quarters)        cpu write Mtri/s Mpx/s  B/px differ",
         "rasterizer"
     );
     for row in rows {
-        let name: String = row.name.chars().take(width).collect();
+        let name = shortened(&row.name, 10);
         if let Some(reason) = &row.failure {
             let reason = reason.lines().next().unwrap_or_default();
-            let _ = writeln!(text, "{name:width$} {:>3}  {}", row.threads, reason.chars().take(80).collect::<String>());
+            let _ = writeln!(text, "{name:10} {:>3}  {}", row.threads, shortened(reason, 80));
             continue;
         }
         let [plan, geometry, raster, levels, write] = medians(row, |stage| stage.elapsed);
@@ -61,15 +60,15 @@ pub fn text(subject: &Subject, rows: &[Row]) -> String {
         let quarters = format!("({}..{})", short(frame.low), short(frame.high));
         let _ = writeln!(
             text,
-            "{name:width$} {:>3}{}{}{}{}{} {quarters:<15}{}{}{:>7.1}{:>6.1}{:>7.0}{:>7}",
+            "{name:10} {:>3}{}{}{}{}{} {quarters:<14}{}{}{:>7.1}{:>6.1}{:>6.0}{:>7}",
             row.threads,
-            cell(plan, 6),
+            cell(plan, 5),
             cell(geometry, 7),
-            cell(raster, 8),
+            cell(raster, 7),
             cell(levels, 7),
-            cell(frame.median, 8),
-            cell(cpu.median, 7),
-            cell(write, 7),
+            cell(frame.median, 7),
+            cell(cpu.median, 6),
+            cell(write, 6),
             subject.triangles as f64 / frame.median / 1e3,
             pixels(subject) / frame.median / 1e3,
             row.bytes as f64 / pixels(subject),
@@ -81,8 +80,8 @@ pub fn text(subject: &Subject, rows: &[Row]) -> String {
         let (triangles, pixels) = (count / subject.triangles.max(1) as f64, count / pixels(subject));
         let _ = writeln!(
             text,
-            "{:width$} {:.1} million instructions a frame on one thread: {triangles:.0} a triangle, {pixels:.1} a pixel",
-            row.name,
+            "{:10} {:.1} million instructions a frame on one thread: {triangles:.0} a triangle, {pixels:.1} a pixel",
+            shortened(&row.name, 10),
             count / 1e6
         );
     }
@@ -192,6 +191,14 @@ fn processor(time: StageTime) -> f64 {
 
 fn pixels(subject: &Subject) -> f64 {
     f64::from(subject.size.0) * f64::from(subject.size.1)
+}
+
+/// `text`, cut at `width` characters with a mark if it is longer.
+fn shortened(text: &str, width: usize) -> String {
+    if text.chars().count() <= width {
+        return text.to_string();
+    }
+    text.chars().take(width - 1).chain(['~']).collect()
 }
 
 /// Milliseconds in a cell.

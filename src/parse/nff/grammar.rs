@@ -205,7 +205,7 @@ impl Grammar {
         (number, number, number).map(|(r, g, b)| Rgb::new(r, g, b)).parse(tail)
     }
 
-    #[inline]
+    #[inline(always)]
     fn number<'a>(&self, tail: &'a [u8]) -> Read<'a, f64> {
         let tail = tokens::skip_space(tail);
         match tokens::number(tail) {

@@ -64,9 +64,12 @@ impl Weld {
     }
 
     fn first_slot(&self, key: [u64; 6]) -> usize {
-        // Multiplying spreads low bits upward, the rotation brings high bits down for the next round.
-        let mixed =
-            key.iter().fold(0u64, |hash, bits| (hash.rotate_left(29) ^ bits).wrapping_mul(0x9E37_79B9_7F4A_7C15));
+        // Six products that need not wait for each other, turned so that no two meet in the same bits; the last product brings high
+        // bits, which alone differ between round numbers, everywhere.
+        const FACTOR: u64 = 0x9E37_79B9_7F4A_7C15;
+        let product = |number: usize| key[number].wrapping_mul(FACTOR).rotate_left(11 * number as u32);
+        let sum = (product(0) ^ product(1) ^ product(2)).wrapping_add(product(3) ^ product(4) ^ product(5));
+        let mixed = (sum ^ (sum >> 32)).wrapping_mul(FACTOR);
         (mixed >> 32) as usize & (self.slots.len() - 1)
     }
 }
