@@ -90,6 +90,9 @@ impl<'a> Tracer<'a> {
     /// Adds a surface and the boxes around its parts, in the order of the file.
     fn place(&mut self, id: SurfaceId, instance: u32, at: &Affine3, around: &mut Vec<Bounds>) -> Option<RayError> {
         let surface = self.scene.surface(id);
+        if self.scene.picture_on(surface).is_some() {
+            return Some(RayError::Picture { place: self.scene.describe(surface.place) });
+        }
         let placed = Placed::new(self, id, instance, at);
         let number = self.placed.len() as u32;
         let mirror = if at.matrix3.determinant() < 0.0 { -1.0 } else { 1.0 };
