@@ -105,6 +105,9 @@ impl DumpFormat {
         }
         let (z_resolution, color_resolution) = (self.z_resolution, self.color_resolution);
         let options = ClassicOptions { z_resolution, color_resolution, yon: None, encoding: sheet.encoding };
+        if list.has_texture() {
+            notice(&format!("{} polygons lose their pictures in a classic file", list.textured_polygons()));
+        }
         let report = write_classic(list, &options, out)?;
         notice(&format!("z is {z_resolution} at yon {}", report.yon));
         if report.transparent > 0 {

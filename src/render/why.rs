@@ -38,7 +38,7 @@ pub struct Candidate {
     pub source: Source,
     /// Its surface in the shader.
     pub surface: u32,
-    /// Its depth there; larger is nearer.
+    /// Its depth there; larger is nearer. 0 in a hole.
     pub depth: f64,
     /// What it would show there.
     pub color: Rgb<f32>,
@@ -47,6 +47,14 @@ pub struct Candidate {
     /// For every edge: twice the area of the triangle it makes with the sample's center, in samples. 0: the edge, or its line,
     /// passes exactly through the center.
     pub edges: Vec<f64>,
+}
+
+impl Candidate {
+    /// Whether the surface has a hole there: it is covered, and nothing is to be put.
+    #[must_use]
+    pub fn is_hole(&self) -> bool {
+        self.depth <= 0.0 && self.opacity == Rgb::gray(0.0)
+    }
 }
 
 /// What a rasterizer left at one sample.
@@ -93,10 +101,10 @@ fn decide(candidates: &[Candidate], format: DepthFormat) -> (Option<usize>, &'st
     let Some((index, nearest)) = winner else {
         return (
             None,
-            if candidates.is_empty() {
-                "no polygon covers it: the background shows"
-            } else {
-                "only transparent polygons cover it"
+            match candidates.iter().filter(|candidate| !candidate.is_hole()).count() {
+                _ if candidates.is_empty() => "no polygon covers it: the background shows",
+                0 => "only holes of surfaces cover it: the background shows",
+                _ => "only transparent polygons cover it",
             },
         );
     };

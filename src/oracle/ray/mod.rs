@@ -50,6 +50,12 @@ pub enum RayError {
         /// Where the surface was declared.
         place: String,
     },
+    /// Rays know the light of a surface, not its picture or its holes.
+    #[error("{place}: a surface with a picture is not analytic here")]
+    Picture {
+        /// Where it was declared.
+        place: String,
+    },
     /// Runaway instancing.
     #[error(transparent)]
     TooManyInstances(#[from] InstanceBudgetExceeded),

@@ -93,6 +93,9 @@ impl<'a> Tracer<'a> {
         if !surface.mesh.colors.is_empty() {
             return Some(RayError::VertexColors { place: self.scene.describe(surface.place) });
         }
+        if self.scene.picture_on(surface).is_some() {
+            return Some(RayError::Picture { place: self.scene.describe(surface.place) });
+        }
         let placed = Placed::new(self, id, instance, at);
         let number = self.placed.len() as u32;
         let mirror = if at.matrix3.determinant() < 0.0 { -1.0 } else { 1.0 };

@@ -61,7 +61,9 @@ impl Asked<'_> {
         let depth = self.list.depth_in_scene_units(candidate.depth);
         let color = self.levels(candidate.color);
         write!(text, "  polygon {}{place}{piece}: depth {depth}, color {color}", candidate.polygon)?;
-        if candidate.opacity != Rgb::gray(1.0) {
+        if candidate.is_hole() {
+            text.push_str(", a hole of its picture");
+        } else if candidate.opacity != Rgb::gray(1.0) {
             write!(text, ", opacity {:?}", candidate.opacity.to_array())?;
         }
         writeln!(text)?;

@@ -45,7 +45,7 @@ typedef struct {
     uint32_t abi;            /* FAROP_ABI */
     uint32_t width, height;  /* in samples */
     uint32_t subpixel_bits;
-    uint32_t varying;        /* FAROP_COLOR, ... */
+    uint32_t varying;        /* FAROP_COLOR, ...; pictures on surfaces are left out */
     uint32_t value_count;    /* how many of vertex.values are used; 9: all six, and three more planes */
     uint32_t planes_each;    /* planes of a polygon: 1 + value_count, or 0 */
     uint32_t perspective;    /* 1: planes of values hold value / w */
