@@ -53,6 +53,8 @@ fn display(folder: &Path) -> (Running, String) {
         let text = std::fs::read_to_string(&number).ok()?;
         text.ends_with('\n').then(|| format!(":{}", text.trim()))
     });
+    // The number is there before the server answers.
+    wait_for("an answer of the display", || xdotool(&display, &["getmouselocation"]).contains("x:").then_some(()));
     (server, display)
 }
 

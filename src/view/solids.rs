@@ -47,8 +47,8 @@ fn eye_summary(traced: &Traced) -> Vec<String> {
     let (fronts, backs) = (count(|facing| matches!(facing, Facing::Front { .. })), count(Facing::is_back));
     let culled = (0..all.len()).filter(|&number| traced.is_culled(number)).count();
     vec![
-        format!("{} polygons in eye space: {fronts} fronts (green), {backs} backs (red)", all.len()),
-        format!("{culled} go no further: {} culling", traced.plan.choices.culling.name()),
+        format!("in eye space: {}; fronts (green): {fronts}, backs (red): {backs}", all.len()),
+        format!("dropped by culling ({}): {culled}", traced.plan.choices.culling.name()),
     ]
 }
 

@@ -48,14 +48,14 @@ impl Viewer<'_> {
     fn counts(&mut self) -> Option<String> {
         let counts = &self.maker.listed(&self.wish()).ok()?.counts;
         let shapes = &counts.tessellated;
-        let line = format!(
-            "{} polygons: {} back, {} outside, {} drawn",
+        Some(format!(
+            "polygons: {} ({} back, {} outside, {} drawn, {} cut)",
             counts.polygons + shapes.polygons,
             counts.backfacing + shapes.backfacing,
             counts.clipped + shapes.clipped,
-            counts.rendered + shapes.rendered
-        );
-        Some(format!("{line}, {} cut", counts.cut))
+            counts.rendered + shapes.rendered,
+            counts.cut
+        ))
     }
 
     /// How the eye moves, and what is being recorded, played or saved.
