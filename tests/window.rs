@@ -47,7 +47,8 @@ fn display(folder: &Path) -> (Running, String) {
     let number = folder.join("display");
     let file = std::fs::File::create(&number).expect("the folder is writable");
     let mut server = Command::new("Xvfb");
-    server.args(["-displayfd", "1", "-screen", "0", "800x600x24", "-nolisten", "tcp"]);
+    // -noreset: a server without clients starts anew and turns away whoever comes just then.
+    server.args(["-displayfd", "1", "-screen", "0", "800x600x24", "-nolisten", "tcp", "-noreset"]);
     let server = server.stdout(file).stderr(Stdio::null()).spawn().expect("Xvfb starts");
     let server = Running(server);
     let display = wait_for("the display", || {
