@@ -35,7 +35,7 @@ fn the_inspector_has_the_words_of_why() {
     press(&mut viewer, "<at:20,20>i");
     viewer.draw();
     let told = viewer.text().join("\n");
-    let told = &told[told.find("sample").expect("it answers")..];
+    let told = &told[told.find("sample 20,20").expect("it answers")..];
     // The command was given a longer name of the same file.
     assert_eq!(told.trim(), why.replace(&scene, "star.nff").trim());
 }

@@ -7,6 +7,7 @@
 mod command;
 
 use command::{Desk, project_scene};
+use farop::image::Picture;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
@@ -46,13 +47,16 @@ fn display(folder: &Path) -> (Running, String) {
     let number = folder.join("display");
     let file = std::fs::File::create(&number).expect("the folder is writable");
     let mut server = Command::new("Xvfb");
-    server.args(["-displayfd", "1", "-screen", "0", "800x600x24", "-nolisten", "tcp"]);
+    // -noreset: a server without clients starts anew and turns away whoever comes just then.
+    server.args(["-displayfd", "1", "-screen", "0", "800x600x24", "-nolisten", "tcp", "-noreset"]);
     let server = server.stdout(file).stderr(Stdio::null()).spawn().expect("Xvfb starts");
     let server = Running(server);
     let display = wait_for("the display", || {
         let text = std::fs::read_to_string(&number).ok()?;
         text.ends_with('\n').then(|| format!(":{}", text.trim()))
     });
+    // The number is there before the server answers.
+    wait_for("an answer of the display", || xdotool(&display, &["getmouselocation"]).contains("x:").then_some(()));
     (server, display)
 }
 
@@ -85,18 +89,14 @@ fn a_real_window_does_what_the_keys_say() {
     });
     // Nobody manages windows here, so nobody gives them the keyboard.
     xdotool(&display, &["windowfocus", "--sync", &window]);
-    let saved = |number: u32| {
-        tap(&display, &["f"]);
-        let name = desk.path(&format!("farop-{number:03}.png"));
-        wait_for("a saved picture", || farop::image::read(&name).ok())
-    };
+    let saved = || saved_next(&desk, &display).expect("a picture");
 
     // Taps of 12 ms change the shading; the picture is what `--shot` gives.
     tap(&display, &["t"]);
-    let gouraud = saved(1);
+    let gouraud = saved();
     assert_eq!((gouraud.width(), gouraud.height()), (320, 240));
     tap(&display, &["s", "s", "s"]);
-    let wire = saved(2);
+    let wire = saved();
     assert!(gouraud != wire);
     desk.done("view scene.nff --size 320x240 --keys tsss --shot wire.png");
     assert!(farop::image::read(&desk.path("wire.png")).expect("a picture") == wire);
@@ -104,31 +104,36 @@ fn a_real_window_does_what_the_keys_say() {
     // The inspector answers for the pixel under the pointer.
     xdotool(&display, &["mousemove", "--window", &window, "150", "110"]);
     tap(&display, &["s", "t", "i"]);
-    let inspected = saved(3);
+    let inspected = saved();
     desk.done("view scene.nff --size 320x240 --keys <at:150,110>i --shot why.png");
     let expected = farop::image::read(&desk.path("why.png")).expect("a picture");
     // Frames a second are shown in the window alone, in the text: the lens is compared.
-    let lens = |picture: &farop::image::Picture| -> Vec<_> {
+    let lens = |picture: &Picture| -> Vec<_> {
         (120..240).flat_map(|y| (200..320).map(move |x| (x, y))).map(|(x, y)| picture.pixel(x, y)).collect()
     };
     assert!(lens(&inspected) == lens(&expected));
 
-    // A path is recorded, written and played, and the eye ends where the path does.
-    tap(&display, &["i", "c", "Up", "Up", "p"]);
-    std::thread::sleep(Duration::from_millis(300));
+    // A path is recorded, written and played. Every picture that is saved took a frame at least.
+    tap(&display, &["i", "t", "c", "Up", "Up", "p"]);
+    for _ in 0..3 {
+        saved_next(&desk, &display);
+    }
     tap(&display, &["p", "space", "w"]);
     let path = wait_for("the path", || std::fs::read_to_string(desk.path("farop-path.txt")).ok());
     let poses = farop::view::path::read_path(&path).expect("a path");
     assert!(poses.len() > 1 && poses[0].from != poses[poses.len() - 1].from, "{} poses", poses.len());
-    tap(&display, &["v", "t", "o"]);
+    let stood = saved_next(&desk, &display);
+    tap(&display, &["v"]);
+    assert!(saved_next(&desk, &display) != stood);
+    tap(&display, &["o"]);
+    // It ends where the path does.
+    wait_for("the end of the path", || (saved_next(&desk, &display) == stood).then_some(()));
 
-    // A broken scene is told, the picture stays, the window too; a good one is taken again.
+    // A broken scene is told over the last good picture, the window stays; a good one is taken again.
     std::fs::write(&scene, text.replace("p 4", "p 5")).expect("the folder is writable");
-    std::thread::sleep(Duration::from_millis(1500));
-    let broken = saved(4);
+    wait_for("the message", || (saved_next(&desk, &display) != stood).then_some(()));
     std::fs::write(&scene, &text).expect("the folder is writable");
-    std::thread::sleep(Duration::from_millis(1500));
-    assert!(saved(5) != broken);
+    wait_for("the scene", || (saved_next(&desk, &display) == stood).then_some(()));
 
     // Another size.
     xdotool(&display, &["windowsize", "--sync", &window, "400", "200"]);
@@ -143,10 +148,11 @@ fn a_real_window_does_what_the_keys_say() {
     assert!(status.success(), "{status}");
 }
 
-/// Saves once more, whatever the number, and reads the newest picture.
-fn saved_next(desk: &Desk, display: &str) -> Option<farop::image::Picture> {
+/// Saves once more, under the next free number, and reads that picture.
+fn saved_next(desk: &Desk, display: &str) -> Option<Picture> {
+    let pictures = |name: &&String| name.starts_with("farop-") && name.ends_with(".png");
+    let number = desk.entries().iter().filter(pictures).count() + 1;
+    let name = desk.path(&format!("farop-{number:03}.png"));
     tap(display, &["f"]);
-    std::thread::sleep(Duration::from_millis(300));
-    let newest = desk.entries().into_iter().filter(|name| name.starts_with("farop-0")).next_back()?;
-    farop::image::read(&desk.path(&newest)).ok()
+    wait_for("a saved picture", || farop::image::read(&name).ok().map(Some))
 }

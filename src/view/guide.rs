@@ -104,3 +104,22 @@ pub(super) fn names(board: &mut Board, landmarks: &[Landmark], view: &View, scal
         board.text((left, top), &text, scale, ink::YELLOW);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Camera, Place};
+
+    #[test]
+    fn north_is_ahead_and_east_is_right() {
+        let camera = |at: Vec3, up: Vec3| {
+            let (from, place) = (Vec3::ZERO, Place::default());
+            Camera { from, at, up, angle: 45.0, hither: 0.0, yon: None, resolution: (8, 8), place }
+        };
+        let of = |at: Vec3, up: Vec3| heading(&Eye::new(&camera(at, up))).round();
+        assert_eq!([Vec3::NEG_Z, Vec3::X, Vec3::Z, Vec3::NEG_X].map(|at| of(at, Vec3::Y)), [0.0, 90.0, 180.0, 270.0]);
+        assert_eq!([Vec3::Y, Vec3::X, Vec3::NEG_Y].map(|at| of(at, Vec3::Z)), [0.0, 90.0, 180.0]);
+        // Straight down there is no heading.
+        assert_eq!(of(Vec3::NEG_Y, Vec3::Y), 0.0);
+    }
+}

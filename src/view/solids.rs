@@ -47,8 +47,8 @@ fn eye_summary(traced: &Traced) -> Vec<String> {
     let (fronts, backs) = (count(|facing| matches!(facing, Facing::Front { .. })), count(Facing::is_back));
     let culled = (0..all.len()).filter(|&number| traced.is_culled(number)).count();
     vec![
-        format!("{} polygons in eye space: {fronts} fronts (green), {backs} backs (red)", all.len()),
-        format!("{culled} go no further: {} culling", traced.plan.choices.culling.name()),
+        format!("in eye space: {}; fronts (green): {fronts}, backs (red): {backs}", all.len()),
+        format!("dropped by culling ({}): {culled}", traced.plan.choices.culling.name()),
     ]
 }
 
@@ -57,41 +57,46 @@ pub(super) fn clip(traced: &Traced, step: Option<usize>, from: Outside) -> Resul
     let crossings = traced.crossings();
     let step = step.filter(|_| !crossings.is_empty()).map(|step| step.min(crossings.len() - 1));
     let done = step.map_or(crossings.len(), |step| step + 1);
-    let mut areas = Vec::new();
-    let mut hand: Option<(Crossing, usize)> = None;
-    let mut outline = Vec::new();
-    let mut text = clip_summary(traced, &crossings);
-    let mut next = 0;
+    let (mut areas, mut hand, mut first) = (Vec::new(), None, 0);
     for number in (0..traced.trace.eye.len()).filter(|&number| !traced.is_culled(number)) {
-        let mut corners = traced.trace.eye[number].corners.clone();
-        let before = next;
-        while crossings.get(next).is_some_and(|crossing| crossing.polygon == number) && next < done {
-            let before = corners.len();
-            let [kept, gone] = cut::cut(&corners, crossings[next].plane, &traced.plan);
-            let is_last = step == Some(next);
-            let opacity = if is_last { 0.75 } else { 0.35 };
-            areas.push(Area { corners: gone, color: ink::WHEEL[crossings[next].plane as usize], opacity });
-            corners = kept;
-            if is_last {
-                hand = Some((crossings[next], before));
-            }
-            next += 1;
-        }
+        let all = crossings[first..].iter().take_while(|crossing| crossing.polygon == number).count();
+        let steps = &crossings[first..done.clamp(first, first + all)];
+        let in_hand = step.filter(|step| (first..first + all).contains(step)).map(|step| crossings[step]);
+        let (mut corners, before) = cut_up(traced, number, steps, (in_hand.is_some(), &mut areas));
         // What is left of it is as the clipper left it, once all its planes are done.
-        let remaining = crossings[next..].iter().take_while(|crossing| crossing.polygon == number).count();
-        if let (0, Some(kept)) = (remaining, traced.kept[number]) {
+        if let (true, Some(kept)) = (steps.len() == all, traced.kept[number]) {
             corners = traced.eye_corners(kept);
         }
-        if let Some((crossing, before)) = hand.as_ref().filter(|hand| hand.0.polygon == number) {
-            text = clip_text(traced, *crossing, *before, &corners);
-            outline.clone_from(&corners);
+        if let Some(crossing) = in_hand {
+            hand = Some((corners.clone(), clip_text(traced, crossing, before, &corners)));
         }
-        let untouched = remaining > 0 && before == next;
+        let untouched = steps.is_empty() && all > 0;
         areas.push(Area { corners, color: if untouched { 0x90_78_60 } else { 0xB8_B8_B8 }, opacity: 1.0 });
-        next += remaining;
+        first += all;
     }
-    let board = seen(traced, &areas, hand.map(|_| &outline[..]), from)?;
-    Ok((board, text, crossings.len()))
+    let (outline, text) = hand.unzip();
+    let board = seen(traced, &areas, outline.as_deref(), from)?;
+    Ok((board, text.unwrap_or_else(|| clip_summary(traced, &crossings)), crossings.len()))
+}
+
+/// Cuts a polygon by some planes; what goes is added to the areas, the last of it brighter where it is in hand. Returns what stays,
+/// and how many corners there were before the last cut.
+fn cut_up(
+    traced: &Traced,
+    number: usize,
+    steps: &[Crossing],
+    (is_in_hand, areas): (bool, &mut Vec<Area>),
+) -> (Vec<Vec3>, usize) {
+    let mut corners = traced.trace.eye[number].corners.clone();
+    let mut before = corners.len();
+    for (place, crossing) in steps.iter().enumerate() {
+        before = corners.len();
+        let [kept, gone] = cut::cut(&corners, crossing.plane, &traced.plan);
+        let opacity = if is_in_hand && place + 1 == steps.len() { 0.75 } else { 0.35 };
+        areas.push(Area { corners: gone, color: ink::WHEEL[crossing.plane as usize], opacity });
+        corners = kept;
+    }
+    (corners, before)
 }
 
 fn clip_summary(traced: &Traced, crossings: &[Crossing]) -> Vec<String> {

@@ -15,7 +15,7 @@ use super::stages::short;
 use crate::color::Rgb;
 use crate::plan::Transparency;
 use crate::raster::coverage::{Edge, Spans};
-use crate::raster::watkins::{Decision, spans};
+use crate::raster::watkins::{Decision, Span, spans};
 use crate::raster::{Frame, Rasterizer};
 use crate::render::{self, Canvas};
 use crate::screen::{DrawList, ScreenPolygon};
@@ -42,22 +42,8 @@ pub(super) fn polygon(
     let Some(step) = step else {
         return Ok((board, vec![format!("all {} polygons are drawn", list.len())], list.len()));
     };
-    let before = first(list, step);
-    let mut frame = Frame::default();
-    let mut target = frame.target((list.width, list.height), 0..list.height, Rgb::gray(0.0), Transparency::Over);
-    carefully(|| rasterizer.draw(&before, &mut target))?;
-    target.finish();
     let polygon = list.polygon(step);
-    let side = choices.samples as i32;
-    let (mut won, mut lost, mut range) = (0_u32, 0_u32, (f64::INFINITY, 0.0_f64));
-    each_sample(&polygon, list, 0..list.height as i32, |x, y| {
-        let depth = polygon.depth(x, y);
-        range = (range.0.min(depth), range.1.max(depth));
-        let is_nearer = depth > frame.sample(y as usize * list.width as usize + x as usize).1;
-        *(if is_nearer { &mut won } else { &mut lost }) += 1;
-        let (color, share) = if is_nearer { (ink::YELLOW, 70) } else { (ink::RED, 150) };
-        board.blend(i64::from(x / side), i64::from(y / side), color, share / (side * side) as u32);
-    });
+    let (won, lost, range) = contest(&mut board, listed, step, rasterizer)?;
     board.outline(&maps::corners(&polygon, choices.samples), ink::YELLOW);
     let mut text = vec![
         format!("polygon {step} of {}, line {}, is put into the z-buffer", list.len(), polygon.record().source.line),
@@ -67,6 +53,32 @@ pub(super) fn polygon(
         text.push(format!("depth 1/w from {} to {}", short(range.0), short(range.1)));
     }
     Ok((board, text, list.len()))
+}
+
+/// Marks where polygon `step` is nearer than all before it, and where not; returns how often, and the range of its depths.
+fn contest(
+    board: &mut Board,
+    listed: &Listed,
+    step: usize,
+    rasterizer: &dyn Rasterizer,
+) -> Result<(u32, u32, (f64, f64)), String> {
+    let list = &listed.list;
+    let before = first(list, step);
+    let mut frame = Frame::default();
+    let mut target = frame.target((list.width, list.height), 0..list.height, Rgb::gray(0.0), Transparency::Over);
+    carefully(|| rasterizer.draw(&before, &mut target))?;
+    target.finish();
+    let (polygon, side) = (list.polygon(step), listed.plan.choices.samples as i32);
+    let (mut won, mut lost, mut range) = (0, 0, (f64::INFINITY, 0.0_f64));
+    each_sample(&polygon, list, 0..list.height as i32, |x, y| {
+        let depth = polygon.depth(x, y);
+        range = (range.0.min(depth), range.1.max(depth));
+        let is_nearer = depth > frame.sample(y as usize * list.width as usize + x as usize).1;
+        *(if is_nearer { &mut won } else { &mut lost }) += 1;
+        let (color, share) = if is_nearer { (ink::YELLOW, 70) } else { (ink::RED, 150) };
+        board.blend(i64::from(x / side), i64::from(y / side), color, share / (side * side) as u32);
+    });
+    Ok((won, lost, range))
 }
 
 fn each_sample(polygon: &ScreenPolygon<'_>, list: &DrawList, rows: Range<i32>, mut sample: impl FnMut(i32, i32)) {
@@ -88,8 +100,23 @@ pub(super) fn scan_line(listed: &Listed, step: Option<usize>, mut board: Board) 
     let active = active_edges(&mut board, list, row, samples);
     let segments = segments(list, row);
     let spans = spans(list, row);
+    strip(&mut board, samples, line, (&segments, &spans));
+    let mut text = vec![
+        format!("scan line {row} of {rows}: {active} active edges, {} segments, {} spans", segments.len(), spans.len()),
+        "bars: segments; below: spans, and what decided (gray alone, blue range, green ends, red sample)".to_string(),
+    ];
+    let said = |span: &Span| {
+        let Range { start, end } = span.columns;
+        format!("  {start} to before {end}: polygon {}, {}", span.polygon, decision_name(span.decision))
+    };
+    text.extend(spans.iter().map(said));
+    (board, text, rows)
+}
+
+/// Draws segments as bars, and below them spans and what decided each, on the half of the board where the scan line is not.
+fn strip(board: &mut Board, samples: u32, line: i64, (segments, spans): (&[(u32, Range<i32>)], &[Span])) {
+    let (width, height) = (board.width() as i64, board.height() as i64);
     let strip = height / 4;
-    // On the other half, so that the scan line stays in sight.
     let top = if line < height / 2 { height - strip } else { 0 };
     board.tint((0, top), (width, top + strip), ink::BLACK, 220);
     let place = |columns: &Range<i32>| {
@@ -101,22 +128,12 @@ pub(super) fn scan_line(listed: &Listed, step: Option<usize>, mut board: Board) 
         let ((left, right), y) = (place(columns), top + 1 + number as i64 * 3);
         board.fill((left, y), (right, y + 2), maps::color_of(*polygon));
     }
-    for span in &spans {
+    for span in spans {
         let ((left, right), y) = (place(&span.columns), top + strip - 6);
         board.fill((left, y), (right, y + 4), maps::color_of(span.polygon));
         board.fill((left, y - 1), (left + 1, y + 4), ink::WHITE);
         board.fill((left, y + 4), (right, y + 6), decision_color(span.decision));
     }
-    let mut text = vec![
-        format!("scan line {row} of {rows}: {active} active edges, {} segments, {} spans", segments.len(), spans.len()),
-        "bars: segments; below: spans, and what decided (gray alone, blue range, green ends, red sample)".to_string(),
-    ];
-    let said = |span: &crate::raster::watkins::Span| {
-        let Range { start, end } = span.columns;
-        format!("  {start} to before {end}: polygon {}, {}", span.polygon, decision_name(span.decision))
-    };
-    text.extend(spans.iter().map(said));
-    (board, text, rows)
 }
 
 /// Draws the edges that cross the row, and a dot where; returns how many.

@@ -4,7 +4,7 @@
 
 use super::eye::Gait;
 use super::stages::short;
-use super::{Compare, Guide, Viewer, guide, made};
+use super::{Compare, Guide, Show, Viewer, guide, made};
 use crate::plan::{EXACT_SUBPIXELS, Shading};
 use crate::render::Canvas;
 use crate::render::why::Asked;
@@ -28,7 +28,9 @@ impl Viewer<'_> {
             bits => format!("{bits} bits"),
         };
         let rasterizer = self.maker.rasterizers.get(state.rasterizer).map_or("", |named| &named.0);
-        let rasterizer = match (choices.shading, state.compare) {
+        // Only the picture is compared.
+        let compare = if state.show == Show::Picture { state.compare } else { Compare::Yours };
+        let rasterizer = match (choices.shading, compare) {
             (Shading::Wire, _) => "wire",
             (_, Compare::Yours) => rasterizer,
             (_, Compare::Reference) => "zbuffer (reference)",
@@ -48,14 +50,14 @@ impl Viewer<'_> {
     fn counts(&mut self) -> Option<String> {
         let counts = &self.maker.listed(&self.wish()).ok()?.counts;
         let shapes = &counts.tessellated;
-        let line = format!(
-            "{} polygons: {} back, {} outside, {} drawn",
+        Some(format!(
+            "polygons: {} ({} back, {} outside, {} drawn, {} cut)",
             counts.polygons + shapes.polygons,
             counts.backfacing + shapes.backfacing,
             counts.clipped + shapes.clipped,
-            counts.rendered + shapes.rendered
-        );
-        Some(format!("{line}, {} cut", counts.cut))
+            counts.rendered + shapes.rendered,
+            counts.cut
+        ))
     }
 
     /// How the eye moves, and what is being recorded, played or saved.

@@ -33,7 +33,7 @@ pub(super) struct ViewCommand {
     #[arg(long, value_name = "FILE")]
     shot: Option<PathBuf>,
     /// Keys pressed at the start, as in "s2<right*5><at:40,30>i"
-    #[arg(long, value_name = "KEYS", default_value = "")]
+    #[arg(long, value_name = "KEYS", default_value = "", hide_default_value = true)]
     keys: String,
     /// Where the keys w and l write and read the path
     #[arg(long, value_name = "FILE", default_value = "farop-path.txt")]
