@@ -107,8 +107,13 @@ fn holes(grid: &Grid, mesh: &ReliefMesh, bits: u32) -> usize {
     let camera = Camera { from: camera.at + down * 0.55, angle: 20.0, resolution: (640, 640), ..camera };
     let background = Some(farop::color::Rgb::new(1.0, 0.0, 1.0));
     let scene = Scene { camera: Some(camera), background, ..scene };
-    let choices =
-        Choices { shading: Shading::Flat, subpixel_bits: bits, culling: Culling::None, threads: Some(1), ..Choices::default() };
+    let choices = Choices {
+        shading: Shading::Flat,
+        subpixel_bits: bits,
+        culling: Culling::None,
+        threads: Some(1),
+        ..Choices::default()
+    };
     let drawn = render(&scene, &choices, Some(&ZBuffer)).expect("it has a view");
     drawn.image.pixels().iter().filter(|light| light.g == 0.0).count()
 }
@@ -164,7 +169,14 @@ fn figures_as_json_are_the_same_twice() {
     let desk = Desk::new();
     desk.write("land.asc", asc());
     let run = |arguments: &str| desk.done(&format!("terrain land.asc --json {arguments}")).stdout;
-    for arguments in ["", "--triangles 200", "--triangles 200 --measure largest", "--mode fictitious --error 15", "--criterion view --tolerance 3", "--criterion paper"] {
+    for arguments in [
+        "",
+        "--triangles 200",
+        "--triangles 200 --measure largest",
+        "--mode fictitious --error 15",
+        "--criterion view --tolerance 3",
+        "--criterion paper",
+    ] {
         let once = run(arguments);
         assert_eq!(once, run(arguments), "{arguments}");
         let figures: serde_json::Value = serde_json::from_slice(&once).expect("JSON");
@@ -172,7 +184,8 @@ fn figures_as_json_are_the_same_twice() {
         assert!((2..=2 * 39 * 32).contains(&count), "{arguments}: {count}");
         assert_eq!(figures["samples"], 40 * 33, "{arguments}");
     }
-    let walk = desk.done("terrain land.asc --criterion view --walk 900,300,400 --steps 4 --from 100,100,400 --at 300,300,0");
+    let walk =
+        desk.done("terrain land.asc --criterion view --walk 900,300,400 --steps 4 --from 100,100,400 --at 300,300,0");
     let walk = String::from_utf8(walk.stdout).expect("text");
     assert_eq!(walk.lines().filter(|line| line.starts_with("step ")).count(), 5, "{walk}");
 }

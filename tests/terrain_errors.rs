@@ -84,7 +84,9 @@ fn refusals(desk: &Desk, cases: &[&str]) -> String {
 #[test]
 fn good_ones_are_read() {
     let desk = desk();
-    for (file, extra) in [("good.asc", ""), ("good.dt1", "1 x 1"), ("gray.png", "--heights 100,355"), ("color.png", "--colored")] {
+    for (file, extra) in
+        [("good.asc", ""), ("good.dt1", "1 x 1"), ("gray.png", "--heights 100,355"), ("color.png", "--colored")]
+    {
         let options = if extra.starts_with('-') { extra } else { "" };
         desk.done(&format!("terrain {file} {options}"));
     }
@@ -97,9 +99,34 @@ fn good_ones_are_read() {
 #[test]
 fn bad_grids() {
     let cases = [
-        "missing.hgt", "heights.txt", "N42E001.hgt", "N42X001.hgt", "N00E000.hgt", "short.dt1", "cut.dt1", "broken.dt1", "columns.dt1",
-        "color.png", "cut.png", "cut.asc.gz", "empty.asc", "few.asc", "many.asc", "comma.asc", "nan.asc", "nodata.asc", "forgotten.asc", "unknown.asc",
-        "no_size.asc", "zero.asc", "huge.asc", "line.asc", "twice.asc", "good.asc far.asc", "good.asc degrees.asc", ".",
+        "missing.hgt",
+        "heights.txt",
+        "N42E001.hgt",
+        "N42X001.hgt",
+        "N00E000.hgt",
+        "short.dt1",
+        "cut.dt1",
+        "broken.dt1",
+        "columns.dt1",
+        "color.png",
+        "cut.png",
+        "cut.asc.gz",
+        "empty.asc",
+        "few.asc",
+        "many.asc",
+        "comma.asc",
+        "nan.asc",
+        "nodata.asc",
+        "forgotten.asc",
+        "unknown.asc",
+        "no_size.asc",
+        "zero.asc",
+        "huge.asc",
+        "line.asc",
+        "twice.asc",
+        "good.asc far.asc",
+        "good.asc degrees.asc",
+        ".",
     ];
     insta::assert_snapshot!("terrain_bad_grids", refusals(&desk(), &cases.map(|case| case)));
 }

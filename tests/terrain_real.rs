@@ -97,8 +97,10 @@ fn a_finer_tile_beside_a_coarser_one() {
     // A third of the resolution, from the southern tile's own samples.
     let Some(fine) = tile("hgt/N41E001.hgt.gz") else { return };
     fill_voids(&mut coarse, usize::MAX);
-    let thinned: Vec<f32> =
-        (0..=400).flat_map(|row| (0..=400).map(move |column| (column, row))).map(|(x, y)| coarse.height(3 * x, 3 * y)).collect();
+    let thinned: Vec<f32> = (0..=400)
+        .flat_map(|row| (0..=400).map(move |column| (column, row)))
+        .map(|(x, y)| coarse.height(3 * x, 3 * y))
+        .collect();
     let mut frame = coarse.frame;
     frame.step = [1.0 / 400.0, 1.0 / 400.0];
     let thinned = Grid::new("thin", (401, 401), thinned, frame).expect("401 x 401");
@@ -110,7 +112,9 @@ fn a_finer_tile_beside_a_coarser_one() {
 
 #[test]
 fn peaks_are_highest_where_they_should_be() {
-    let (Some(grid), Some(path)) = (tile("hgt/N42E001.hgt.gz"), file("vector/andorra_places.geojson.gz")) else { return };
+    let (Some(grid), Some(path)) = (tile("hgt/N42E001.hgt.gz"), file("vector/andorra_places.geojson.gz")) else {
+        return;
+    };
     let mut text = String::new();
     let bytes = std::fs::read(path).expect("it is there");
     flate2::read::GzDecoder::new(&bytes[..]).read_to_string(&mut text).expect("gzip");
@@ -135,7 +139,8 @@ fn peaks_are_highest_where_they_should_be() {
     };
     let here = rmse(0.0, 0.0);
     assert!((here - 43.0).abs() < 1.0, "{here}");
-    for (dx, dy) in [(0.5, 0.0), (-0.5, 0.0), (0.0, 0.5), (0.0, -0.5), (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)] {
+    for (dx, dy) in [(0.5, 0.0), (-0.5, 0.0), (0.0, 0.5), (0.0, -0.5), (1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)]
+    {
         let there = rmse(dx, dy);
         println!("RMSE to {} peaks at {dx}, {dy}: {there:.1} m; at zero {here:.1} m", peaks.len());
         assert!(there > here + 2.0, "{dx} {dy}: {there}, not above {here}");

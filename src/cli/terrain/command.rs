@@ -54,7 +54,7 @@ pub(in crate::cli) struct TerrainCommand {
 #[command(next_help_heading = "Relief")]
 pub(super) struct Wanted {
     /// No sample is farther than M metres from the relief [default: a hundredth of the range of heights]
-    #[arg(long, value_name = "M", value_parser = not_negative, conflicts_with = "triangles")]
+    #[arg(long, value_name = "M", value_parser = not_negative, allow_hyphen_values = true, conflicts_with = "triangles")]
     pub error: Option<f64>,
     /// At most N triangles
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..))]
@@ -177,7 +177,9 @@ impl TerrainCommand {
             && !is_scene(path)
         {
             encode_for(path, &crate::image::Picture::filled(1, 1, [0; 3])).map_err(|error| {
-                CliError::failed(format!("{error}\nhelp: a relief is written as a scene, .nff or .sipp, or as a picture"))
+                CliError::failed(format!(
+                    "{error}\nhelp: a relief is written as a scene, .nff or .sipp, or as a picture"
+                ))
             })?;
         }
         let rasterizer = find_rasterizer(registry, &self.view.rasterizer)?;

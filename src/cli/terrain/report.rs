@@ -11,7 +11,8 @@ pub(super) fn text(merged: &Merged, filled: &Filled, made: &Made, with_times: bo
     let grid = &merged.grid;
     let [width, height] = grid.extent();
     let [dx, dy] = grid.spacing();
-    let mut text = format!("grid       {}: {} x {} samples, {}\n", grid.name, grid.columns(), grid.rows(), borders(grid));
+    let mut text =
+        format!("grid       {}: {} x {} samples, {}\n", grid.name, grid.columns(), grid.rows(), borders(grid));
     let kilometres = |metres: f64| metres / 1000.0;
     let _ = writeln!(
         text,
@@ -31,7 +32,8 @@ pub(super) fn text(merged: &Merged, filled: &Filled, made: &Made, with_times: bo
     }
     let (low, high) = grid.range().unwrap_or_default();
     let Filled { samples, voids, left } = filled;
-    let _ = writeln!(text, "heights    {low} to {high} m; {samples} samples of {voids} voids filled, {left} left as holes");
+    let _ =
+        writeln!(text, "heights    {low} to {high} m; {samples} samples of {voids} voids filled, {left} left as holes");
     text += &relief(made);
     if with_times {
         let [errors, mesh] = made.times.map(|time| time.as_secs_f64() * 1e3);

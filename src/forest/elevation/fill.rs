@@ -150,8 +150,7 @@ mod tests {
             let mut grid = plane(slope, |x, y| (3..9).contains(&x) && (2..8).contains(&y));
             assert_eq!(fill_voids(&mut grid, 36), Filled { samples: 36, voids: 1, left: 0 });
             let whole = plane(slope, |_, _| false);
-            let worst =
-                grid.heights().iter().zip(whole.heights()).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+            let worst = grid.heights().iter().zip(whole.heights()).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
             assert!(worst <= off, "{worst}");
         }
     }

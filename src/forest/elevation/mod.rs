@@ -251,7 +251,8 @@ mod tests {
     #[test]
     fn a_degree_is_as_long_as_the_tables_say() {
         // Lengths of a degree on WGS 84, National Geospatial-Intelligence Agency's tables.
-        for (latitude, east, north) in [(0.0, 111_319.5, 110_574.3), (45.0, 78_846.8, 111_131.7), (90.0, 0.0, 111_693.9)]
+        for (latitude, east, north) in
+            [(0.0, 111_319.5, 110_574.3), (45.0, 78_846.8, 111_131.7), (90.0, 0.0, 111_693.9)]
         {
             let found = metres_per_degree(latitude);
             assert!((found[0] - east).abs() < 0.1 && (found[1] - north).abs() < 0.2, "{latitude}: {found:?}");

@@ -74,7 +74,12 @@ pub fn utm(longitude: f64, latitude: f64, zone: u32) -> Utm {
     let (north, east) = bent(xi, eta, &FORWARD, 1.0);
     let south = latitude < 0.0;
     let false_north = if south { 10_000_000.0 } else { 0.0 };
-    Utm { zone, south, east: 500_000.0 + SCALE * rectifying() * east, north: false_north + SCALE * rectifying() * north }
+    Utm {
+        zone,
+        south,
+        east: 500_000.0 + SCALE * rectifying() * east,
+        north: false_north + SCALE * rectifying() * north,
+    }
 }
 
 /// Longitude and latitude, in degrees, of a position on the map.
@@ -128,7 +133,10 @@ mod tests {
             for (dx, latitude) in [(0.0, 0.0), (-3.0, 84.0), (2.9, -79.5), (9.0, 41.25), (-0.001, -0.001)] {
                 let longitude = middle_of(zone) + dx;
                 let (x, y) = from_utm(&utm(longitude, latitude, zone));
-                assert!((x - longitude).abs() < 1e-11 && (y - latitude).abs() < 1e-11, "{zone} {dx} {latitude}: {x} {y}");
+                assert!(
+                    (x - longitude).abs() < 1e-11 && (y - latitude).abs() < 1e-11,
+                    "{zone} {dx} {latitude}: {x} {y}"
+                );
             }
         }
     }

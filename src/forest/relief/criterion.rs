@@ -57,9 +57,9 @@ impl<'a> Spheres<'a> {
             let center = spheres.center(middle);
             let corners = lattice.triangles(middle).flat_map(|triangle| [triangle.a, triangle.b, triangle.apex]);
             let own = corners.map(|corner| (spheres.center(corner) - center).length()).fold(0.0, f64::max);
-            let below = lattice.children(middle).map(|child| {
-                (spheres.center(child) - center).length() + f64::from(spheres.radii.at(child))
-            });
+            let below = lattice
+                .children(middle)
+                .map(|child| (spheres.center(child) - center).length() + f64::from(spheres.radii.at(child)));
             // Rounded up: sums of rounded roots must not leave a child outside by a last bit.
             let radius = below.fold(own, f64::max) as f32;
             spheres.radii.set(middle, radius.next_up().next_up());

@@ -118,7 +118,9 @@ impl<'a> Frontier<'a> {
                 worst.extend(self.wanted(criterion, leaf.middle()));
             }
             // The parent of a leaf, if all that it was halved into is whole.
-            least.extend(Some(leaf.apex).filter(|&apex| self.is_halved(apex)).and_then(|apex| self.unwanted(criterion, apex)));
+            least.extend(
+                Some(leaf.apex).filter(|&apex| self.is_halved(apex)).and_then(|apex| self.unwanted(criterion, apex)),
+            );
         });
         (worst, least)
     }

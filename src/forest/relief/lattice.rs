@@ -175,9 +175,9 @@ impl Lattice {
     #[inline]
     pub fn triangles(&self, middle: Point) -> impl Iterator<Item = Triangle> + use<> {
         let diamond = self.diamond(middle);
-        diamond.into_iter().flat_map(|Diamond { a, b, apexes }| {
-            apexes.into_iter().flatten().map(move |apex| Triangle { a, b, apex })
-        })
+        diamond
+            .into_iter()
+            .flat_map(|Diamond { a, b, apexes }| apexes.into_iter().flatten().map(move |apex| Triangle { a, b, apex }))
     }
 
     /// Whether a part of the box around the diamond of `middle` lies in the grid or on its border.
@@ -295,8 +295,12 @@ mod tests {
             expected.sort();
             assert_eq!(apexes, expected, "{middle:?}");
             assert!(triangles.iter().all(|t| [(t.a, t.b), (t.b, t.a)].contains(&(diamond.a, diamond.b))), "{middle:?}");
-            let mut below: Vec<_> =
-                triangles.iter().flat_map(Triangle::halves).filter(Triangle::can_be_halved).map(|half| half.middle()).collect();
+            let mut below: Vec<_> = triangles
+                .iter()
+                .flat_map(Triangle::halves)
+                .filter(Triangle::can_be_halved)
+                .map(|half| half.middle())
+                .collect();
             let mut children: Vec<_> = lattice.children(middle).collect();
             below.sort();
             children.sort();

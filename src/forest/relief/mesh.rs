@@ -78,11 +78,7 @@ pub fn within(hierarchy: &Hierarchy<'_>, error: f64) -> ReliefMesh {
 }
 
 /// Calls `visit` for every triangle that is not halved, along the Sierpinski curve.
-pub fn for_each_leaf(
-    lattice: &Lattice,
-    is_halved: &impl Fn(&Triangle) -> bool,
-    visit: &mut impl FnMut(&Triangle),
-) {
+pub fn for_each_leaf(lattice: &Lattice, is_halved: &impl Fn(&Triangle) -> bool, visit: &mut impl FnMut(&Triangle)) {
     fn descend(triangle: &Triangle, is_halved: &impl Fn(&Triangle) -> bool, visit: &mut impl FnMut(&Triangle)) {
         // At most 2 log2(side) deep, whatever the heights are.
         if triangle.can_be_halved() && is_halved(triangle) {

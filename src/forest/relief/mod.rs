@@ -51,7 +51,8 @@ mod tests {
     pub(super) fn hills(columns: usize, rows: usize) -> Grid {
         grid(columns, rows, |x, y| {
             let rough = (x * 7919 + y * 104_729 + x * y * 31) % 23;
-            (200.0 * (crate::math::sin(x as f64 / 9.0) + crate::math::cos(y as f64 / 7.0))).round() as f32 + rough as f32
+            (200.0 * (crate::math::sin(x as f64 / 9.0) + crate::math::cos(y as f64 / 7.0))).round() as f32
+                + rough as f32
         })
     }
 

@@ -175,9 +175,8 @@ mod tests {
     fn a_plane_is_at_no_distance_and_a_spike_at_its_own() {
         let frame = Frame { unit: Unit::Metres, west: 0.0, north: 0.0, step: [1.0, 1.0] };
         let mut heights: Vec<f32> = (0..81).map(|at| (3 * (at % 9) - 2 * (at / 9)) as f32).collect();
-        let corners = |heights: &[f32], t: &Triangle| {
-            [t.a, t.b, t.apex].map(|p| f64::from(heights[(p.y * 9 + p.x) as usize]))
-        };
+        let corners =
+            |heights: &[f32], t: &Triangle| [t.a, t.b, t.apex].map(|p| f64::from(heights[(p.y * 9 + p.x) as usize]));
         for spike in [0.0, 7.5] {
             heights[2 * 9 + 5] += spike;
             let grid = Grid::new("", (9, 9), heights.clone(), frame).expect("9 x 9");

@@ -49,8 +49,10 @@ impl Colors {
     pub fn four_grounds((low, high): (f64, f64)) -> Colors {
         let colors = [[0.76, 0.70, 0.50], [0.33, 0.50, 0.20], [0.45, 0.42, 0.40], [0.95, 0.96, 0.98]];
         let step = (high - low) / 3.0;
-        let ground = |(index, [r, g, b]): (usize, [f64; 3])| {
-            Ground { color: Rgb::new(r, g, b), center: low + step * index as f64, reach: step.max(1.0) }
+        let ground = |(index, [r, g, b]): (usize, [f64; 3])| Ground {
+            color: Rgb::new(r, g, b),
+            center: low + step * index as f64,
+            reach: step.max(1.0),
         };
         Colors::Blended(colors.into_iter().enumerate().map(ground).collect())
     }
@@ -132,11 +134,11 @@ pub fn to_scene(grid: &Grid, mesh: &ReliefMesh, colors: &Colors) -> Scene {
     }
 }
 
-/// A lamp so far in the north-west, at 45 degrees, that its rays are parallel to a thousandth: NFF has no other sun.
+/// A lamp so far in the north-west, 30 degrees high, that its rays are parallel to a thousandth: NFF has no other sun.
 fn sun(grid: &Grid) -> Light {
     let [width, height] = grid.extent();
     let far = 1000.0 * width.max(height);
-    Light::point(Vec3::new(-far, far, 1.4 * far), Rgb::WHITE, Place::default())
+    Light::point(Vec3::new(-far, far, 0.82 * far), Rgb::WHITE, Place::default())
 }
 
 /// Which band of heights a face belongs to, by the mean of its corners.
@@ -270,7 +272,8 @@ mod tests {
             assert!(surface.mesh.normals.iter().all(|normal| normal.z > 0.0));
         }
         assert_eq!(polygons, mesh.faces.len());
-        let corner = scene.surfaces.iter().flat_map(|surface| &surface.mesh.vertices).find(|v| v.x == 0.0 && v.y == 0.0);
+        let corner =
+            scene.surfaces.iter().flat_map(|surface| &surface.mesh.vertices).find(|v| v.x == 0.0 && v.y == 0.0);
         assert_eq!(corner.map(|corner| corner.z), Some(f64::from(grid.height(0, 12))), "the south-west corner");
     }
 
@@ -280,7 +283,13 @@ mod tests {
         let mesh = mesh::within(&Hierarchy::new(&grid), 1.0);
         let scene = to_scene(&grid, &mesh, &Colors::Plain);
         let half = 0.5_f64.sqrt();
-        assert!(scene.surfaces[0].mesh.normals.iter().all(|normal| (*normal - Vec3::new(-half, 0.0, half)).length() < 1e-12));
+        assert!(
+            scene.surfaces[0]
+                .mesh
+                .normals
+                .iter()
+                .all(|normal| (*normal - Vec3::new(-half, 0.0, half)).length() < 1e-12)
+        );
     }
 
     #[test]

@@ -48,8 +48,7 @@ impl Header {
         let north = self.south + self.step[1] * (self.rows - 1) as f64;
         let east = self.west + self.step[0] * (self.columns - 1) as f64;
         let on_globe = self.south >= -90.0 && north <= 90.0 && self.west >= -180.0 && east <= 360.0;
-        let likely =
-            if on_globe && self.step[0].max(self.step[1]) < 0.1 { Unit::Degrees } else { Unit::Metres };
+        let likely = if on_globe && self.step[0].max(self.step[1]) < 0.1 { Unit::Degrees } else { Unit::Metres };
         Frame { unit: unit.unwrap_or(likely), west: self.west, north, step: self.step }
     }
 }
@@ -85,7 +84,8 @@ impl Reader<'_> {
             }
             Err(NotANumber::Malformed) => {
                 let word = printable(tokens::word(self.tail));
-                let help = if word.contains(',') { "write a point, not a comma" } else { "write a number, as in 2350.5" };
+                let help =
+                    if word.contains(',') { "write a point, not a comma" } else { "write a number, as in 2350.5" };
                 Err(self.error(format!("expected {what}, found `{word}`"), "not a number", help))
             }
         }
@@ -129,7 +129,11 @@ impl Reader<'_> {
         let (columns, rows) = (count(0)?, count(1)?);
         let cell = |own: usize| {
             let value = values[own].or(values[6]).ok_or_else(|| missing("`cellsize`"))?;
-            if value > 0.0 { Ok(value) } else { Err(self.error(format!("the cell size is {value}"), "after this header", "write a number above 0")) }
+            if value > 0.0 {
+                Ok(value)
+            } else {
+                Err(self.error(format!("the cell size is {value}"), "after this header", "write a number above 0"))
+            }
         };
         let step = [cell(7)?, cell(8)?];
         let origin = |corner: usize, center: usize, step: f64| match (values[corner], values[center]) {
@@ -165,14 +169,16 @@ impl Reader<'_> {
             if value.abs() > 1e6 && Some(value) != header.nodata {
                 self.tail = before;
                 let help = "heights are metres; if it stands for no data, say so: `NODATA_value`";
-                return Err(self.error(format!("{value} m is no height"), "here", help));
+                let word = printable(tokens::word(before));
+                return Err(self.error(format!("{word} m is no height"), "here", help));
             }
             heights.push(if Some(value) == header.nodata { f32::NAN } else { value as f32 });
         }
         if self.tail.is_empty() {
             return Ok(heights);
         }
-        let message = format!("{} columns and {} rows are {wanted} heights, but more follow", header.columns, header.rows);
+        let message =
+            format!("{} columns and {} rows are {wanted} heights, but more follow", header.columns, header.rows);
         Err(self.error(message, "the first too many", "correct `ncols` and `nrows`"))
     }
 }

@@ -40,7 +40,9 @@ pub(super) fn read(file: &GridFile<'_>) -> Result<Grid, Diagnostics> {
 
 /// Latitude and longitude of the south-west corner that a name begins with.
 fn corner(name: &str) -> Option<(f64, f64)> {
-    let number = |from: usize, to: usize| name.get(from..to).filter(|digits| digits.bytes().all(|byte| byte.is_ascii_digit()))?.parse::<u32>().ok();
+    let number = |from: usize, to: usize| {
+        name.get(from..to).filter(|digits| digits.bytes().all(|byte| byte.is_ascii_digit()))?.parse::<u32>().ok()
+    };
     let sign = |at: usize, plus: u8, minus: u8| match name.as_bytes().get(at)?.to_ascii_uppercase() {
         letter if letter == plus => Some(1.0),
         letter if letter == minus => Some(-1.0),
@@ -60,7 +62,8 @@ mod tests {
         assert_eq!(corner("N42E001"), Some((42.0, 1.0)));
         assert_eq!(corner("S13W072"), Some((-13.0, -72.0)));
         assert_eq!(corner("s01e100"), Some((-1.0, 100.0)));
-        for wrong in ["", "N42", "N42E1", "N42E001x", "X42E001", "N4xE001", "N91E000", "N42E181", "N+2E001", "N42É01"] {
+        for wrong in ["", "N42", "N42E1", "N42E001x", "X42E001", "N4xE001", "N91E000", "N42E181", "N+2E001", "N42É01"]
+        {
             assert_eq!(corner(wrong), None, "{wrong}");
         }
     }
