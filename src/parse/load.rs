@@ -112,7 +112,7 @@ fn unreadable(name: &str, error: &std::io::Error) -> Diagnostics {
 }
 
 /// Opens a file, or says what to do.
-pub(super) fn open(path: &Path, name: &str) -> Result<File, Diagnostics> {
+fn open(path: &Path, name: &str) -> Result<File, Diagnostics> {
     if path.is_dir() {
         let error = Diagnostic::error(format!("`{name}` is a folder, not a scene file"));
         return Err(failure(error.help("name a file in it")));

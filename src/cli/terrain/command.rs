@@ -54,7 +54,7 @@ pub(in crate::cli) struct TerrainCommand {
 #[command(next_help_heading = "Relief")]
 pub(super) struct Wanted {
     /// No sample is farther than M metres from the relief [default: a hundredth of the range of heights]
-    #[arg(long, value_name = "M", value_parser = not_negative, conflicts_with = "triangles")]
+    #[arg(long, value_name = "M", value_parser = not_negative, allow_hyphen_values = true, conflicts_with = "triangles")]
     pub error: Option<f64>,
     /// At most N triangles
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..))]

@@ -8,8 +8,8 @@ use crate::forest::relief::criterion::{Criterion, Factors, FromEye, Observer, Sp
 use crate::forest::relief::fictitious::{self, Fictitious, Seams};
 use crate::forest::relief::frontier::{Changes, Frontier};
 use crate::forest::relief::{Hierarchy, Quality, ReliefMesh, mesh, quality};
+use crate::report::{StageTime, StageTimer};
 use crate::scene::Camera;
-use std::time::{Duration, Instant};
 
 /// A relief, and what there is to tell about it.
 pub(super) struct Made {
@@ -24,17 +24,17 @@ pub(super) struct Made {
     /// Where the walk ended.
     pub camera: Camera,
     /// Measuring the errors, and making the mesh.
-    pub times: [Duration; 2],
+    pub times: [StageTime; 2],
 }
 
 impl Made {
     pub fn new(command: &TerrainCommand, grid: &Grid, camera: &Camera) -> Result<Made, CliError> {
         let wanted = &command.wanted;
         check(command)?;
-        let start = Instant::now();
+        let timer = StageTimer::start();
         let hierarchy = Hierarchy::new(grid);
-        let errors = start.elapsed();
-        let start = Instant::now();
+        let errors = timer.stop();
+        let timer = StageTimer::start();
         let mut made = Made {
             mesh: ReliefMesh::default(),
             quality: Quality::default(),
@@ -42,7 +42,7 @@ impl Made {
             fictitious: None,
             walk: Vec::new(),
             camera: *camera,
-            times: [errors, Duration::ZERO],
+            times: [errors, StageTime::default()],
         };
         match (wanted.triangles, wanted.criterion) {
             (Some(triangles), _) => made.budget(&hierarchy, triangles, wanted.measure),
@@ -50,7 +50,7 @@ impl Made {
             (None, CriterionName::View) => made.by_view(&hierarchy, wanted, command.view.tolerance),
             (None, CriterionName::Paper) => made.by_paper(&hierarchy, wanted),
         }
-        made.times[1] = start.elapsed();
+        made.times[1] = timer.stop();
         made.quality = quality(grid, &made.mesh);
         Ok(made)
     }

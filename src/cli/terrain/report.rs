@@ -36,8 +36,8 @@ pub(super) fn text(merged: &Merged, filled: &Filled, made: &Made, with_times: bo
         writeln!(text, "heights    {low} to {high} m; {samples} samples of {voids} voids filled, {left} left as holes");
     text += &relief(made);
     if with_times {
-        let [errors, mesh] = made.times.map(|time| time.as_secs_f64() * 1e3);
-        let _ = writeln!(text, "times      {errors:.1} ms errors, {mesh:.1} ms mesh");
+        let [errors, mesh] = made.times.map(|time| time.user + time.system);
+        let _ = writeln!(text, "times      {errors:.1} ms errors, {mesh:.1} ms mesh (processor)");
     }
     text
 }

@@ -46,29 +46,7 @@ pub struct Fictitious {
 pub fn fictitious(hierarchy: &Hierarchy<'_>, is_halved: impl Fn(&Triangle) -> bool, seams: Seams) -> Fictitious {
     let lattice = hierarchy.lattice;
     let halved = Halved::new(&lattice, is_halved);
-    let mut heights = Field::new(&lattice, f64::NAN);
-    for root in lattice.roots() {
-        [root.a, root.b, root.apex].iter().for_each(|&corner| heights.set(corner, hierarchy.height(corner)));
-    }
-
-    // From coarse to fine: the ends of a hypotenuse are settled before its middle.
-    let (mut selected, mut fictitious) = (0, 0);
-    for &middle in halved.order.iter().flatten() {
-        let Some(Diamond { a, b, apexes }) = lattice.diamond(middle) else { continue };
-        // A neighbor that is not there, or beyond the border, has no edge to keep to.
-        let agrees = |side: usize| {
-            let drawn = apexes[side].is_some_and(|apex| has_area(&lattice, &Triangle { a, b, apex }));
-            !drawn || halved.sides.at(middle) & (1 << side) != 0
-        };
-        let height = if agrees(0) && agrees(1) {
-            selected += 1;
-            hierarchy.height(middle)
-        } else {
-            fictitious += 1;
-            (heights.at(a) + heights.at(b)) / 2.0
-        };
-        heights.set(middle, height);
-    }
+    let Settled { heights, selected, fictitious } = settle(hierarchy, &halved);
 
     // What is whole becomes a face.
     let mut builder = Builder::new(hierarchy);
@@ -88,6 +66,39 @@ pub fn fictitious(hierarchy: &Hierarchy<'_>, is_halved: impl Fn(&Triangle) -> bo
         builder.add_outline(triangle, corners.map(|corner| heights.at(corner)), &hanging);
     });
     Fictitious { mesh: builder.mesh, selected, fictitious, leaves, junctions }
+}
+
+/// Heights of all vertices, and how many are in which state.
+struct Settled {
+    heights: Field<f64>,
+    selected: usize,
+    fictitious: usize,
+}
+
+/// Settles heights from coarse to fine: the ends of a hypotenuse before its middle.
+fn settle(hierarchy: &Hierarchy<'_>, halved: &Halved) -> Settled {
+    let lattice = hierarchy.lattice;
+    let mut settled = Settled { heights: Field::new(&lattice, f64::NAN), selected: 0, fictitious: 0 };
+    for root in lattice.roots() {
+        [root.a, root.b, root.apex].iter().for_each(|&corner| settled.heights.set(corner, hierarchy.height(corner)));
+    }
+    for &middle in halved.order.iter().flatten() {
+        let Some(Diamond { a, b, apexes }) = lattice.diamond(middle) else { continue };
+        // A neighbor that is not there, or beyond the border, has no edge to keep to.
+        let agrees = |side: usize| {
+            let drawn = apexes[side].is_some_and(|apex| has_area(&lattice, &Triangle { a, b, apex }));
+            !drawn || halved.sides.at(middle) & (1 << side) != 0
+        };
+        let height = if agrees(0) && agrees(1) {
+            settled.selected += 1;
+            hierarchy.height(middle)
+        } else {
+            settled.fictitious += 1;
+            (settled.heights.at(a) + settled.heights.at(b)) / 2.0
+        };
+        settled.heights.set(middle, height);
+    }
+    settled
 }
 
 /// Halves what is farther than `error` metres from its samples, whatever its neighbors do.

@@ -113,6 +113,10 @@ impl<'a, 'b> Builder<'a, 'b> {
 
     /// As [`Builder::add`]; `more` are further points on its edges, each with its height.
     pub fn add_outline(&mut self, triangle: &Triangle, heights: [f64; 3], more: &[Vertex]) {
+        // A corner beyond the grid has the height of the nearest sample, which may be a void that the triangle does not cover.
+        if heights.iter().any(|height| height.is_nan()) {
+            return;
+        }
         let lattice = self.hierarchy.lattice;
         let outline = clipped(&lattice, &with_points(triangle, heights, more));
         if outline.len() < 3 || (self.hierarchy.has_voids && self.covers_void(triangle)) {
@@ -237,4 +241,40 @@ pub fn edge_uses(mesh: &ReliefMesh) -> HashMap<(u32, u32), u32> {
         }
     }
     uses
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{grid, hills};
+    use super::*;
+
+    #[test]
+    fn no_face_hangs_on_a_void_beyond_the_border() {
+        let hills = hills(20, 20);
+        let grid = grid(20, 20, |x, y| if x > 16 && y < 19 { f32::NAN } else { hills.height(x, y) });
+        let hierarchy = Hierarchy::new(&grid);
+        for depth in 0..10 {
+            let mesh = mesh(&hierarchy, |middle| super::super::lattice::level(middle) > depth);
+            assert!(mesh.faces.iter().all(|face| face.heights.iter().all(|height| height.is_finite())), "{depth}");
+            assert!(mesh.vertices.iter().all(|vertex| vertex.height.is_finite()), "{depth}");
+        }
+        assert!(within(&hierarchy, 5.0).faces.len() > 50);
+    }
+
+    #[test]
+    fn cut_points_have_the_same_bits_on_both_sides() {
+        for (columns, rows) in [(20, 13), (33, 18), (7, 40)] {
+            let grid = hills(columns, rows);
+            let hierarchy = Hierarchy::new(&grid);
+            let mesh = within(&hierarchy, 60.0);
+            // Every vertex is on the plane of every face that has it, exactly: heights are whole metres.
+            for face in &mesh.faces {
+                let plane = super::super::scan::Plane::new(&face.triangle, face.heights);
+                for &at in mesh.outline(face) {
+                    let Vertex { point, height } = mesh.vertices[at as usize];
+                    assert_eq!(plane.at(point.x, point.y), height, "{point:?}");
+                }
+            }
+        }
+    }
 }

@@ -2,8 +2,8 @@
 //!
 //! Grid, ReliefMesh -SCENE-> Scene
 //!
-//! Vertices get their place in metres, normals from the slopes of the samples around them (not of the few triangles that are left), and
-//! colors by height: one surface for every band of heights, because a surface has one color. The colors are a ladder of heights (green,
+//! Vertices get their place in metres, normals from the faces around them, the larger the more weight (the slope at a single sample
+//! would be noise on a coarse relief; and a surface's own mean would break at every band of colors), and colors by height: one surface for every band of heights, because a surface has one color. The colors are a ladder of heights (green,
 //! yellow, brown, white), or four grounds that blend as in paper 004: ground i weighs max(0, 1 - |h - c_i| / r_i), and the weights
 //! are divided by their sum.
 //!
@@ -13,7 +13,7 @@
 use super::mesh::{Face, ReliefMesh};
 use crate::color::Rgb;
 use crate::forest::elevation::Grid;
-use crate::math::{Affine3, Vec3, radians, tan, unit};
+use crate::math::{Affine3, Vec3, newell_normal, radians, tan, unit};
 use crate::scene::{
     Camera, Light, Material, Mesh, NormalSource, Object, ObjectId, Place, Polygon, Scene, Surface, SurfaceId,
 };
@@ -135,11 +135,11 @@ pub fn to_scene(grid: &Grid, mesh: &ReliefMesh, colors: &Colors) -> Scene {
     }
 }
 
-/// A lamp so far in the north-west, at 45 degrees, that its rays are parallel to a thousandth: NFF has no other sun.
+/// A lamp so far in the north-west, 30 degrees high, that its rays are parallel to a thousandth: NFF has no other sun.
 fn sun(grid: &Grid) -> Light {
     let [width, height] = grid.extent();
     let far = 1000.0 * width.max(height);
-    Light::point(Vec3::new(-far, far, 1.4 * far), Rgb::WHITE, Place::default())
+    Light::point(Vec3::new(-far, far, 0.82 * far), Rgb::WHITE, Place::default())
 }
 
 /// Which band of heights a face belongs to, by the mean of its corners.
@@ -208,16 +208,15 @@ impl Placer {
         let place = |vertex: &super::mesh::Vertex| {
             Vec3::new(f64::from(vertex.point.x) * dx, (last - f64::from(vertex.point.y)) * dy, vertex.height)
         };
-        let normal = |vertex: &super::mesh::Vertex| {
-            let (x, y) = (vertex.point.x as usize, vertex.point.y as usize);
-            let east = slope(x, grid.columns(), |x| grid.height(x, y)) / dx;
-            let south = slope(y, grid.rows(), |y| grid.height(x, y)) / dy;
-            unit(Vec3::new(-east, south, 1.0)).unwrap_or(Vec3::Z)
-        };
-        Placer {
-            places: mesh.vertices.iter().map(place).collect(),
-            normals: mesh.vertices.iter().map(normal).collect(),
+        let places: Vec<Vec3> = mesh.vertices.iter().map(place).collect();
+        let mut sums = vec![Vec3::ZERO; places.len()];
+        for face in &mesh.faces {
+            let outline: Vec<Vec3> = mesh.outline(face).iter().map(|&at| places[at as usize]).collect();
+            let normal = newell_normal(&outline);
+            mesh.outline(face).iter().for_each(|&at| sums[at as usize] += normal);
         }
+        let normals = sums.into_iter().map(|sum| unit(sum).unwrap_or(Vec3::Z)).collect();
+        Placer { places, normals }
     }
 
     /// Faces as the polygons of one surface, over the vertices that they use.
@@ -238,17 +237,6 @@ impl Placer {
         }
         made
     }
-}
-
-/// Metres of rise to the next sample, by the samples on both sides, as far as they are known.
-fn slope(at: usize, count: usize, height: impl Fn(usize) -> f32) -> f64 {
-    let known = |at: Option<usize>| at.filter(|&at| at < count && !height(at).is_nan());
-    let (before, after) = (known(at.checked_sub(1)).unwrap_or(at), known(Some(at + 1)).unwrap_or(at));
-    if before == after {
-        return 0.0;
-    }
-    let rise = (f64::from(height(after)) - f64::from(height(before))) / (after - before) as f64;
-    if rise.is_nan() { 0.0 } else { rise }
 }
 
 #[cfg(test)]

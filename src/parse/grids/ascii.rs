@@ -169,7 +169,8 @@ impl Reader<'_> {
             if value.abs() > 1e6 && Some(value) != header.nodata {
                 self.tail = before;
                 let help = "heights are metres; if it stands for no data, say so: `NODATA_value`";
-                return Err(self.error(format!("{value} m is no height"), "here", help));
+                let word = printable(tokens::word(before));
+                return Err(self.error(format!("{word} m is no height"), "here", help));
             }
             heights.push(if Some(value) == header.nodata { f32::NAN } else { value as f32 });
         }

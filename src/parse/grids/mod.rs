@@ -19,11 +19,11 @@ mod dted;
 mod hgt;
 mod png;
 
-use super::load::open;
 use crate::diagnostic::{Diagnostic, Diagnostics, printable};
 use crate::forest::elevation::{Grid, Unit};
 use flate2::bufread::MultiGzDecoder;
-use std::io::{BufRead, BufReader, Read};
+use std::fs::File;
+use std::io::{BufRead, BufReader, ErrorKind, Read};
 use std::path::Path;
 
 /// The most bytes of a grid file after decompression: an ASCII grid of 8000 x 8000 samples.
@@ -113,6 +113,23 @@ fn ending(path: &Path) -> String {
 fn stem(path: &Path) -> String {
     let name = path.file_name().map(|name| printable(name.as_encoded_bytes())).unwrap_or_default();
     name.split('.').next().unwrap_or_default().to_string()
+}
+
+/// Opens a file, or says what to do.
+fn open(path: &Path, name: &str) -> Result<File, Diagnostics> {
+    let refused = |message: String, help: &str| Diagnostics::without_source(Diagnostic::error(message).help(help));
+    if path.is_dir() {
+        return Err(refused(format!("`{name}` is a folder, not a grid"), "name a file in it"));
+    }
+    File::open(path).map_err(|error| match error.kind() {
+        ErrorKind::NotFound => {
+            refused(format!("there is no file `{name}`"), "is it in another folder, or has it `.gz` behind?")
+        }
+        ErrorKind::PermissionDenied => {
+            refused(format!("no permission to read `{name}`"), "make the file readable for you")
+        }
+        _ => refused(format!("cannot open `{name}`: {error}"), "is it a file?"),
+    })
 }
 
 /// All bytes of a file, decompressed.
