@@ -153,7 +153,9 @@ fn done(compiler: &mut Command, file: &Path) -> Result<(), String> {
 /// own, too.
 pub fn held_command(entry: &Entry, into: &Path) -> Result<Vec<OsString>, String> {
     let (source, slip) = (&entry.source, &entry.slip);
-    let file = |ending: &str| folder().join(entry.set.unwrap_or("held")).join(&entry.language).join(format!("{source}.{ending}"));
+    let file = |ending: &str| {
+        folder().join(entry.set.unwrap_or("held")).join(&entry.language).join(format!("{source}.{ending}"))
+    };
     let program = into.join(format!("{source}-{slip}-{}", entry.lab));
     match entry.language.as_str() {
         "rust" => {

@@ -65,7 +65,7 @@ fn triangle(corners: [Place; 3], toggle: &mut impl FnMut(i64, i64)) {
     if (is("one_winding") && area <= 0) || (is("small_area_skipped") && area.abs() < 2 * 256 * 256) {
         return;
     }
-    if is("overflow_of_areas") && area_32(corners) == 0 {
+    if is("flat_by_whole_samples") && whole_area(corners) == 0 {
         return;
     }
     if a.1 > b.1 {
@@ -87,7 +87,7 @@ fn triangle(corners: [Place; 3], toggle: &mut impl FnMut(i64, i64)) {
 }
 
 /// Twice the area, in whole samples.
-fn area_32(corners: [Place; 3]) -> i64 {
+fn whole_area(corners: [Place; 3]) -> i64 {
     let [a, b, c] = corners.map(|(x, y)| (x >> 8, y >> 8));
     (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0)
 }
