@@ -136,8 +136,13 @@ static int is_covered(const Polygon *p, int x, int y) {
 static void draw(void) {
     depths = room((size_t)width * height, sizeof *depths);
     for (const Polygon *p = polygon; p < polygon + polygons; p++) {
-        for (int y = 0; y < height; y++) {
-            for (int x = 0; x < width; x++) {
+        int left = width, right = 0, top = height, bottom = 0;
+        for (const Vertex *v = &vertex[p->first]; v < &vertex[p->first + p->count]; v++) {
+            left = fmin(left, floor(v->x)), right = fmax(right, ceil(v->x));
+            top = fmin(top, floor(v->y)), bottom = fmax(bottom, ceil(v->y));
+        }
+        for (int y = top; y < bottom; y++) {
+            for (int x = left; x < right; x++) {
                 size_t at = (size_t)y * width + x;
                 if (!is_covered(p, x, y)) continue;
                 float depth = (float)depth_at(p, x, y);

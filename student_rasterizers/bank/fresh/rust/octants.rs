@@ -121,7 +121,11 @@ fn draw(sheet: &Sheet) -> Picture {
                 if (0..width).contains(&x) && (0..height).contains(&y) {
                     let at = (y * width + x) as usize;
                     let was = colors[at];
-                    colors[at] = if is("drawn_twice_is_off") && was == sheet.line_color { sheet.background } else { sheet.line_color };
+                    colors[at] = if is("drawn_twice_is_off") && was == sheet.line_color {
+                        sheet.background
+                    } else {
+                        sheet.line_color
+                    };
                 }
             });
             if is("corners_marked") {

@@ -126,7 +126,11 @@ fn draw(sheet: &Sheet) -> Picture {
         for (sum, color) in sums.iter_mut().zip(colors) {
             for i in 0..3 {
                 let light = color[i];
-                let part = if is("levels_cut_in_each_pass") { (light * 255.0 / weight).floor() / 255.0 * weight } else { light };
+                let part = if is("levels_cut_in_each_pass") {
+                    (light * 255.0 / weight).floor() / 255.0 * weight
+                } else {
+                    light
+                };
                 let gamma = if is("mean_of_display_values") { light.powf(1.0 / 2.2) } else { part };
                 sum[i] = match () {
                     () if is("mean_of_means") && n > 0 => (sum[i] + light) / 2.0,

@@ -31,7 +31,8 @@ impl Walk {
     }
 
     fn step(&mut self) {
-        let across = if is("slope_rounded") { (self.across * 16).div_euclid(self.down) * self.down / 16 } else { self.across };
+        let across =
+            if is("slope_rounded") { (self.across * 16).div_euclid(self.down) * self.down / 16 } else { self.across };
         let moved = self.rest + 256 * across;
         self.whole += moved.div_euclid(self.down);
         self.rest = moved.rem_euclid(self.down);
@@ -65,7 +66,7 @@ fn triangle(corners: [Place; 3], toggle: &mut impl FnMut(i64, i64)) {
     if (is("one_winding") && area <= 0) || (is("small_area_skipped") && area.abs() < 2 * 256 * 256) {
         return;
     }
-    if is("overflow_of_areas") && area_32(corners) == 0 {
+    if is("flat_by_whole_samples") && whole_area(corners) == 0 {
         return;
     }
     if a.1 > b.1 {
@@ -87,7 +88,7 @@ fn triangle(corners: [Place; 3], toggle: &mut impl FnMut(i64, i64)) {
 }
 
 /// Twice the area, in whole samples.
-fn area_32(corners: [Place; 3]) -> i64 {
+fn whole_area(corners: [Place; 3]) -> i64 {
     let [a, b, c] = corners.map(|(x, y)| (x >> 8, y >> 8));
     (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0)
 }
@@ -96,15 +97,28 @@ fn place(corner: &Corner) -> Place {
     ((corner.x * 256.0).round() as i64, (corner.y * 256.0).round() as i64)
 }
 
+/// Columns and rows that a polygon can reach, with one more at each side.
+fn bounds(polygon: &Polygon, sheet: &Sheet) -> [std::ops::Range<usize>; 2] {
+    let ends = |at: fn(&Corner) -> f64, size: usize| {
+        let all = polygon.corners.iter().map(at);
+        let (low, high) = all.fold((f64::MAX, 0.0_f64), |(low, high), place| (low.min(place), high.max(place)));
+        (low as usize).saturating_sub(1)..(high.ceil() as usize + 1).min(size)
+    };
+    [ends(|corner| corner.x, sheet.width), ends(|corner| corner.y, sheet.height)]
+}
+
 /// Samples that a polygon covers, toggled by its triangles.
 fn cover(polygon: &Polygon, sheet: &Sheet, is_covered: &mut [bool]) {
+    let [columns, rows] = bounds(polygon, sheet);
     let places: Vec<Place> = polygon.corners.iter().map(place).collect();
     let triangles = places.len().saturating_sub(2) - usize::from(is("last_triangle_lost") && places.len() > 3);
     for i in 0..triangles {
         let corners = [places[0], places[i + 1], places[i + 2]];
         triangle(corners, &mut |x, y| {
-            if (0..sheet.width as i64).contains(&x) && (0..sheet.height as i64).contains(&y) {
-                let at = y as usize * sheet.width + x as usize;
+            // What is negative is far beyond.
+            let (x, y) = (x as usize, y as usize);
+            if columns.contains(&x) && rows.contains(&y) {
+                let at = y * sheet.width + x;
                 is_covered[at] = is("united") || !is_covered[at];
             }
         });
@@ -201,12 +215,14 @@ fn main() {
         }
         let mut is_covered = vec![false; count];
         for polygon in &sheet.polygons {
-            if !is("coverage_not_cleared") {
-                is_covered.fill(false);
-            }
             cover(polygon, sheet, &mut is_covered);
-            for at in (0..count).filter(|&at| is_covered[at]) {
+            let [columns, rows] = bounds(polygon, sheet);
+            for at in rows.flat_map(|y| columns.clone().map(move |x| y * sheet.width + x)) {
                 let (x, y) = (at % sheet.width, at / sheet.width);
+                if !is_covered[at] {
+                    continue;
+                }
+                is_covered[at] = is("coverage_not_cleared");
                 let nearest = polygon.corners.iter().map(|corner| corner.inverse_w).fold(0.0, f64::max);
                 let depth = if is("nearest_corner") { nearest } else { polygon.depth(x, y) };
                 let bias = if is("bias") { 0.01 } else { 0.0 };
