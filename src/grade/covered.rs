@@ -94,7 +94,8 @@ impl Piece {
             Winding::Clockwise => twice_area > 0.0,
             Winding::CounterClockwise => twice_area < 0.0,
         };
-        let is_drawn = turns_right && twice_area.abs() / 2.0 >= rules.least_area;
+        let is_dropped = rules.dropped.has(&corners, (low, high), size);
+        let is_drawn = turns_right && !is_dropped && twice_area.abs() / 2.0 >= rules.least_area;
         let spans = match &rules.fill {
             Fill::Scan(scan) if is_drawn => scan::spans(&corners, scan, size),
             _ => Vec::new(),
@@ -106,6 +107,10 @@ impl Piece {
     fn covers(&self, (x, y): (i32, i32), rules: &Rules) -> bool {
         let [left, right, top, bottom] = self.window;
         if !self.is_drawn || x < left || x > right || y < top || y > bottom {
+            return false;
+        }
+        let (columns, rows) = rules.stepped;
+        if (x - left).rem_euclid(columns) != 0 || (y - top).rem_euclid(rows) != 0 {
             return false;
         }
         let point = (f64::from(x) + rules.cover_at.0, f64::from(y) + rules.cover_at.1);

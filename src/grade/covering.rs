@@ -43,6 +43,7 @@ impl Covering {
             && (rules.shape, rules.stencil, rules.listed) == (shape, stencil, listed)
             && (rules.bounds, rules.winding, rules.pieces) == (bounds, winding, right.pieces)
             && rules.least_area == right.least_area
+            && (rules.dropped, rules.stepped) == (right.dropped, right.stepped)
             && !rules.block.of_cover
     }
 

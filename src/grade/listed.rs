@@ -131,6 +131,49 @@ pub enum Blending {
     EverywhereSorted,
     /// The farthest first, what is nearer than what is kept in the end.
     AtEnd,
+    /// The nearest first.
+    NearestFirst,
+    /// The farthest first, and glass keeps its depth, so that what comes later behind it is lost.
+    OverKept,
     /// What is farther than the opaque face, the nearest first.
     Turned,
+}
+
+/// The shares of glass and of what is behind it, where opacity is o.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mixed {
+    /// o and 1 - o.
+    Right,
+    /// o and 1.
+    Added,
+    /// 1 and 1 - o.
+    Whole,
+    /// o and 0.
+    NothingBehind,
+    /// 1 and 1.
+    Sum,
+    /// o and o.
+    Alike,
+    /// Half and half.
+    Half,
+    /// o and 1 - o, times each other.
+    Filtered,
+}
+
+impl Mixed {
+    /// Light of glass over light that is behind it.
+    #[must_use]
+    pub fn of(self, own: [f64; 3], behind: [f64; 3], opacity: f64) -> [f64; 3] {
+        let (first, second) = match self {
+            Mixed::Right => (opacity, 1.0 - opacity),
+            Mixed::Added => (opacity, 1.0),
+            Mixed::Whole => (1.0, 1.0 - opacity),
+            Mixed::NothingBehind => (opacity, 0.0),
+            Mixed::Sum => (1.0, 1.0),
+            Mixed::Alike => (opacity, opacity),
+            Mixed::Half => (0.5, 0.5),
+            Mixed::Filtered => return [0, 1, 2].map(|c| behind[c] * (1.0 - opacity + opacity * own[c])),
+        };
+        [0, 1, 2].map(|c| own[c] * first + behind[c] * second)
+    }
 }

@@ -10,6 +10,7 @@
 //! color that belongs to no polygon.
 //! Cost: a few hundred samples a probe.
 
+mod area_rules;
 pub mod case;
 mod cases;
 mod covered;

@@ -239,7 +239,7 @@ fn keeps_flat(values: Interpolation) -> bool {
 fn pixel(samples: &[Sample], rules: &Rules, mixed: Option<[f64; 3]>) -> ([u8; 3], [u8; 3]) {
     let side = (samples.len() as f64).sqrt() as usize;
     let shown: Vec<pixels::Shown> = samples.iter().map(|sample| (sample.color, sample.front)).collect();
-    let color = mixed.unwrap_or_else(|| pixels::light(&shown, side, rules.pixel));
+    let color = mixed.unwrap_or_else(|| pixels::light(&shown, side, (rules.pixel, rules.pixel_of_one)));
     let color = rules.tone.of(rules.channels.map(|channel| color[channel]));
     let is_face = samples.len() == 1 && samples[0].is_drawn;
     let levels = if is_face { rules.face_levels.unwrap_or(rules.levels) } else { rules.levels };

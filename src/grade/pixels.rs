@@ -1,6 +1,6 @@
 //! Pixels: how the samples of a pixel become its light, right (their mean) or with one mistake.
 //!
-//! With one sample a pixel there is nothing to be done, and nothing is done wrong.
+//! With one sample a pixel there is nothing to be done; most programs do nothing wrong there, some the same as ever.
 
 use super::rules::{Count, Part, PixelFrom, SampleAt};
 use crate::math::pow;
@@ -31,12 +31,12 @@ pub(super) fn place((x, y): (i32, i32), side: i32, rule: SampleAt) -> (f64, f64)
 /// A sample: its light, and the face that is in front.
 pub(super) type Shown = (Color, Option<usize>);
 
-/// The light of a pixel of `side` x `side` samples, in rows.
-pub(super) fn light(samples: &[Shown], side: usize, rule: PixelFrom) -> Color {
+/// The light of a pixel of `side` x `side` samples, in rows; the rule holds for one sample a pixel, or not.
+pub(super) fn light(samples: &[Shown], side: usize, (rule, of_one): (PixelFrom, bool)) -> Color {
     let all = || samples.iter().map(|sample| sample.0);
     let count = samples.len() as f64;
     match rule {
-        _ if side < 2 => samples[0].0,
+        _ if side < 2 && !of_one => samples[0].0,
         PixelFrom::Mean => sum(all()).map(|light| light / count),
         PixelFrom::Divided(by) => sum(all()).map(|light| light / divisor(by, side)),
         PixelFrom::Times(factor) => sum(all()).map(|light| light * factor / count),

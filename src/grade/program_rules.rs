@@ -109,7 +109,7 @@ impl DepthPoint {
 }
 
 /// Which depth is kept at a sample for those that come later.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kept {
     /// That of what is shown.
     Shown,
@@ -121,8 +121,12 @@ pub enum Kept {
     Sum,
     /// The farthest that was shown.
     Farthest,
-    /// The nearest of all, shown or not.
-    Nearest,
+    /// That of what is shown, cut down to so many steps a unit.
+    Cut(f64),
+    /// The same, rounded.
+    Rounded(f64),
+    /// That of what is shown, and this.
+    More(f64),
 }
 
 impl Kept {
@@ -137,7 +141,10 @@ impl Kept {
             Kept::Sum => kept,
             Kept::Farthest if is_shown => Some(kept.map_or(depth, |kept| kept.min(depth))),
             Kept::Farthest => kept,
-            Kept::Nearest => Some(kept.map_or(depth, |kept| kept.max(depth))),
+            Kept::Cut(steps) if is_shown => Some((depth * steps).floor() / steps),
+            Kept::Rounded(steps) if is_shown => Some((depth * steps).round() / steps),
+            Kept::More(more) if is_shown => Some(depth + more),
+            Kept::Cut(_) | Kept::Rounded(_) | Kept::More(_) => kept,
         }
     }
 }
@@ -221,4 +228,47 @@ pub enum Slack {
     Cross(f64),
     /// Each distance to an edge may.
     Distance(f64),
+}
+
+/// Polygons that are left out for what they are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Dropped {
+    /// None.
+    None,
+    /// Those with more corners than this.
+    MoreCorners(usize),
+    /// Those with fewer.
+    FewerCorners(usize),
+    /// Those that reach a side of the picture.
+    AtBorder,
+    /// Those that reach the left or upper side.
+    AtFirst,
+    /// Those that reach the right or lower side.
+    AtLast,
+    /// Those that are less than this wide or high.
+    Thin(f64),
+    /// Those that are less than this wide and high.
+    Small(f64),
+    /// Those whose bounds have more samples than this.
+    Large(f64),
+}
+
+impl Dropped {
+    /// Whether a polygon is left out.
+    pub(super) fn has(self, corners: &[(f64, f64)], (low, high): ((f64, f64), (f64, f64)), size: (i32, i32)) -> bool {
+        let (width, height) = (high.0 - low.0, high.1 - low.1);
+        let at_first = low.0 <= 0.0 || low.1 <= 0.0;
+        let at_last = high.0 >= f64::from(size.0) || high.1 >= f64::from(size.1);
+        match self {
+            Dropped::None => false,
+            Dropped::MoreCorners(most) => corners.len() > most,
+            Dropped::FewerCorners(least) => corners.len() < least,
+            Dropped::AtBorder => at_first || at_last,
+            Dropped::AtFirst => at_first,
+            Dropped::AtLast => at_last,
+            Dropped::Thin(least) => width < least || height < least,
+            Dropped::Small(least) => width < least && height < least,
+            Dropped::Large(most) => width * height > most,
+        }
+    }
 }

@@ -339,7 +339,7 @@ fn concerns(mutant: &Mutant, lab: &Lab, aspects: &[AspectVerdict]) -> bool {
     let mut rules = mutant.applied_to(&right);
     let has = |what: fn(&Shot) -> bool| aspects.iter().flat_map(|aspect| &aspect.shots).any(what);
     if !has(|shot| shot.case.samples > 1) {
-        rules.pixel = right.pixel;
+        (rules.pixel, rules.pixel_of_one) = (right.pixel, right.pixel_of_one);
     }
     if !has(|shot| shot.case.lamp.is_some()) {
         rules.light = right.light;
@@ -348,7 +348,7 @@ fn concerns(mutant: &Mutant, lab: &Lab, aspects: &[AspectVerdict]) -> bool {
         rules.lines = right.lines;
     }
     if !has(|shot| shot.case.faces.iter().any(|face| face.opacity < 1.0)) {
-        rules.blending = right.blending;
+        (rules.blending, rules.mixed) = (right.blending, right.mixed);
     }
     let has_lit = has(|shot| shot.case.lamp.is_some());
     if !has_lit && !has(|shot| shot.case.faces.iter().any(|face| !face.is_flat())) && rules.cover_at == right.cover_at {

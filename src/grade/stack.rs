@@ -48,6 +48,9 @@ impl Stack {
             let wins = wins(rules, kept, depth);
             stack.layers.push((index, depth, wins));
             let is_clear = face.opacity < 1.0 && rules.blending != Blending::Ignored;
+            if is_clear && rules.blending == Blending::OverKept {
+                kept = rules.kept.after(kept, (depth, wins));
+            }
             if is_clear && rules.blending != Blending::AtOnceKept {
                 continue;
             }
@@ -91,7 +94,7 @@ impl Stack {
             |&&(index, _, wins): &&(usize, f64, bool)| wins || (!is_tested && case.faces[index].opacity < 1.0);
         self.layers.iter().filter(is_mixed).fold(empty, |shown, &(index, ..)| {
             let (own, opacity) = (color(index), case.faces[index].opacity);
-            [0, 1, 2].map(|channel| own[channel] * opacity + shown[channel] * (1.0 - opacity))
+            rules.mixed.of(own, shown, opacity)
         })
     }
 
@@ -107,7 +110,7 @@ impl Stack {
             let opacity = case.faces[index].opacity;
             let opacity = if rules.blending == Blending::Swapped { 1.0 - opacity } else { opacity };
             let own = color(index);
-            shown = [0, 1, 2].map(|channel| own[channel] * opacity + shown[channel] * (1.0 - opacity));
+            shown = rules.mixed.of(own, shown, opacity);
         }
         Sample { color: shown, front, disputed, is_drawn }
     }
@@ -120,6 +123,7 @@ impl Stack {
                 Blending::Everywhere | Blending::EverywhereTurned | Blending::EverywhereSorted => true,
                 Blending::AtEnd => depth > behind,
                 Blending::Turned => self.kept.is_none_or(|kept| depth < kept),
+                Blending::OverKept => wins,
                 _ => wins && depth > behind,
             };
             case.faces[index].opacity < 1.0 && is_before
@@ -129,7 +133,8 @@ impl Stack {
             Blending::Ignored | Blending::Invisible => clear.clear(),
             // A stable sort keeps ties in list order; the farthest is blended first.
             Blending::EverywhereTurned => clear.reverse(),
-            Blending::Over | Blending::Swapped | Blending::AtEnd | Blending::EverywhereSorted => {
+            Blending::NearestFirst => clear.sort_by(|a, b| b.1.total_cmp(&a.1)),
+            Blending::Over | Blending::Swapped | Blending::AtEnd | Blending::EverywhereSorted | Blending::OverKept => {
                 clear.sort_by(|a, b| b.1.total_cmp(&a.1));
                 clear.reverse();
             }

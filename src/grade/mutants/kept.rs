@@ -1,6 +1,7 @@
 //! Mistakes about which depth is compared, where it is taken, kept and addressed.
 
 use super::{Mutant, each_with, family, mutant};
+use crate::grade::listed::Mixed;
 use crate::grade::rules::{
     Address, Blending, DepthFrom, DepthPoint, Front, Interpolation, Kept, Memory, Rules, Shape, Summed, Walk,
 };
@@ -89,7 +90,7 @@ const GLASS: [&str; 4] = [
 
 /// All of them.
 pub(super) fn all() -> Vec<Mutant> {
-    [places(), memory(), addresses(), one_depth(), steps(), orders(), sums()].concat()
+    [places(), memory(), addresses(), one_depth(), steps(), orders(), sums(), glass()].concat()
 }
 
 fn places() -> Vec<Mutant> {
@@ -190,12 +191,15 @@ fn steps() -> Vec<Mutant> {
     let wraps = family(STEPS, &[255.0, 256.0, 65_535.0, 65_536.0], |rules, steps| {
         rules.depth = DepthFrom::Wraps(steps, (steps + 1.0).log2().floor().exp2());
     });
+    let kept: [fn(&mut Rules, f64); 2] =
+        [|rules, steps| rules.kept = Kept::Cut(steps), |rules, steps| rules.kept = Kept::Rounded(steps)];
+    let kept: Vec<Mutant> = kept.iter().flat_map(|change| family(STEPS, &all, *change)).collect();
     let margins = [-0.001, 0.0001, 0.002, 0.005, 0.03, 0.5, 1.0];
     let margin = family(MARGIN, &margins, |rules, margin| rules.margin = margin);
     let from_far = family(MARGIN, &margins, |rules, margin| (rules.margin, rules.clear) = (margin, margin));
     let capped: fn(&mut Rules) = |rules| rules.capped = 1.0;
     let alone: fn(&mut Rules) = |_| ();
-    [each_with(&kinds, &[alone, capped, divides, divides_all]), far, wraps, margin, from_far].concat()
+    [each_with(&kinds, &[alone, capped, divides, divides_all]), far, wraps, kept, margin, from_far].concat()
 }
 
 /// What else is wrong with glass, and with equals, where depth is compared the wrong way or not at all.
@@ -265,4 +269,37 @@ fn sums() -> Vec<Mutant> {
 
 const fn summed(parts: f64, is_cut: bool, between_samples: bool) -> Summed {
     Summed { parts, is_cut, between_samples }
+}
+
+const SHARES: [&str; 4] = [
+    "glass mixed in wrong shares",
+    "The shares of glass and of what is behind it are wrong.",
+    "color = own * opacity + behind * (1 - opacity).",
+    "docs/transparency.md",
+];
+const NEAREST_FIRST: [&str; 4] = [
+    "glass blended nearest first",
+    "Transparent polygons are blended from the nearest to the farthest, each over the one before.",
+    "The farthest is blended first, the nearest last.",
+    "docs/transparency.md",
+];
+const GLASS_KEPT: [&str; 4] = [
+    "glass keeps its depth",
+    "Transparent polygons write their depth, so that what is drawn later behind them is lost.",
+    "Only what is opaque writes depth.",
+    "docs/transparency.md",
+];
+
+fn glass() -> Vec<Mutant> {
+    vec![
+        mutant(SHARES, |rules| rules.mixed = Mixed::Added),
+        mutant(SHARES, |rules| rules.mixed = Mixed::Whole),
+        mutant(SHARES, |rules| rules.mixed = Mixed::NothingBehind),
+        mutant(SHARES, |rules| rules.mixed = Mixed::Sum),
+        mutant(SHARES, |rules| rules.mixed = Mixed::Alike),
+        mutant(SHARES, |rules| rules.mixed = Mixed::Half),
+        mutant(SHARES, |rules| rules.mixed = Mixed::Filtered),
+        mutant(NEAREST_FIRST, |rules| rules.blending = Blending::NearestFirst),
+        mutant(GLASS_KEPT, |rules| rules.blending = Blending::OverKept),
+    ]
 }

@@ -12,6 +12,7 @@ mod color;
 mod coverage;
 mod depth;
 mod drawing;
+mod dropped;
 mod highlight;
 mod kept;
 mod light;
@@ -56,7 +57,7 @@ pub fn all() -> Vec<Mutant> {
     let covered = [pieces::MUTANTS, spans::MUTANTS, list::MUTANTS].concat();
     let values = [value::MUTANTS, carried::MUTANTS, run::MUTANTS].concat();
     let light = [light::MUTANTS, normal::MUTANTS, highlight::MUTANTS].concat();
-    let programs = [areas::all(), kept::all(), shades::all()].concat();
+    let programs = [areas::all(), kept::all(), dropped::all(), shades::all()].concat();
     [first, covered, values, light, pixel::MUTANTS.to_vec(), lines::all(), programs].concat()
 }
 

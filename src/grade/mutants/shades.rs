@@ -52,12 +52,6 @@ const BLOCK: [&str; 4] = [
     "Values are evaluated at the center of every sample.",
     PAGE,
 ];
-const DIVIDED: [&str; 4] = [
-    "divided before adding",
-    "Levels are divided by the number of samples before they are added, in whole numbers.",
-    "Add light first, divide the sum once, and turn that into a level.",
-    PAGE,
-];
 const RUNNING: [&str; 4] = [
     "weighted samples",
     "The samples of a pixel do not count alike: those near its middle, or those that come last, count more.",
@@ -147,12 +141,37 @@ const fn valued(size: (i32, i32), at: i32, from_bounds: bool) -> Block {
 }
 
 fn pixels() -> Vec<Mutant> {
-    vec![
-        mutant(DIVIDED, |rules| (rules.pixel, rules.levels) = (PixelFrom::DividedFirst(0.0), Levels::Down)),
-        mutant(DIVIDED, |rules| (rules.pixel, rules.levels) = (PixelFrom::DividedTwice(0.0), Levels::Down)),
+    let running = [
         mutant(RUNNING, |rules| rules.pixel = PixelFrom::Running(true)),
         mutant(RUNNING, |rules| rules.pixel = PixelFrom::Running(false)),
-    ]
+    ];
+    let of_one: fn(&mut Rules) = |rules| rules.pixel_of_one = true;
+    let made: Vec<Mutant> = super::pixel::MUTANTS.iter().filter(|mutant| is_made(mutant)).copied().collect();
+    [running.to_vec(), each_with(&made, &[of_one])].concat()
+}
+
+/// Whether samples become levels before they become a pixel: with one sample a pixel that shows, too.
+fn is_made(mutant: &Mutant) -> bool {
+    use PixelFrom as P;
+    let pixel = mutant.applied_to(&Rules::default()).pixel;
+    matches!(
+        pixel,
+        P::MeanOfLevels(_)
+            | P::LevelsCut(_)
+            | P::DividedFirst(_)
+            | P::DividedTwice(_)
+            | P::SumInByte(_)
+            | P::SumInByteCut(_)
+            | P::SumWraps
+            | P::SignedByte
+            | P::Times(_)
+            | P::Divided(_)
+            | P::MeanOfPowers(_)
+            | P::Root(_)
+            | P::Running(_)
+            | P::Covered
+            | P::CoveredOfAll
+    )
 }
 
 /// Mistakes about values where what is the same at all corners stays so only where it is the same to the last digit.

@@ -49,7 +49,7 @@ pub(super) const NARROW: [&str; 4] = [
 ];
 pub(super) const FORGOTTEN: [&str; 4] = [
     "slope forgotten",
-    "x of one end of an edge is used on all its lines.",
+    "x of one end of an edge, or of its first line, is used on all its lines.",
     "On line y an edge is at x = top.x + (y + 0.5 - top.y) * dx / dy.",
     PAGE,
 ];
