@@ -4,15 +4,17 @@
 //! rasterizer with that mistake would. Two mistakes are two changed fields, so mistakes found earlier can be built into what
 //! later pictures are held against: one slip does not fail everything after it.
 
-use super::light_rules::LightRules;
-use super::lines::rule::Lines;
 pub use super::area_rules::{
     BlockEnd, BlockStart, Blocks, Border, Bounds, BoundsBy, Fill, Pieces, Place, Quarters, Rounding, Ties, Winding,
 };
+use super::light_rules::LightRules;
+use super::lines::rule::Lines;
 pub use super::listed::{Blending, Levels};
 use super::listed::{Listed, Mixed, Tone};
 pub use super::pixel_rules::{Count, Part, PixelFrom, SampleAt};
-pub use super::program_rules::{Address, Block, DepthPoint, Dropped, Kept, Memory, Shape, Slack, Stencil, Turned, Walk};
+pub use super::program_rules::{
+    Address, Block, DepthPoint, Dropped, Kept, Memory, Shape, Slack, Stencil, Turned, Walk,
+};
 use super::runs::RunRule;
 pub use super::summed::Summed;
 

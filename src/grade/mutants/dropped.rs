@@ -10,12 +10,8 @@ const MANY: [&str; 4] = [
     "A polygon may have any number of corners; or ask for triangles: fn accepts() of the trait.",
     "docs/splitting.md",
 ];
-const TRIANGLES: [&str; 4] = [
-    "triangles lost",
-    "Polygons with three corners are not drawn.",
-    "A polygon has three corners or more.",
-    PAGE,
-];
+const TRIANGLES: [&str; 4] =
+    ["triangles lost", "Polygons with three corners are not drawn.", "A polygon has three corners or more.", PAGE];
 const BORDER: [&str; 4] = [
     "polygons at the border lost",
     "Polygons that reach a side of the picture are left out.",
