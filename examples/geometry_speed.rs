@@ -15,7 +15,8 @@ use farop::screen::{DrawList, Plane, PolygonRecord, ScreenVertex};
 use farop::spd::{self, Curves};
 
 /// Built-in scenes and their sizes; spheres and cones as such, so that turning them into polygons is part of the time.
-const SCENES: [(&str, u32); 6] = [("tetra", 9), ("balls", 4), ("teapot", 40), ("gears", 4), ("mount", 8), ("lattice", 8)];
+const SCENES: [(&str, u32); 6] =
+    [("tetra", 9), ("balls", 4), ("teapot", 40), ("gears", 4), ("mount", 8), ("lattice", 8)];
 
 fn standard(name: &str, size: u32) -> Scene {
     let mut text = Vec::new();

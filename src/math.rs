@@ -187,7 +187,8 @@ mod tests {
     fn the_largest_coordinate_is_found_wherever_it_stands() {
         for place in 0..9 {
             for largest in [-7.0, f64::NEG_INFINITY, f64::NAN, 5e-324] {
-                let mut numbers = if largest.abs() < 1.0 { [0.0; 9] } else { [-0.0, 1.0, -2.0, 3.0, 0.5, -6.0, 2.0, 0.0, 1e-9] };
+                let mut numbers =
+                    if largest.abs() < 1.0 { [0.0; 9] } else { [-0.0, 1.0, -2.0, 3.0, 0.5, -6.0, 2.0, 0.0, 1e-9] };
                 numbers[place] = largest;
                 let points: Vec<Vec3> = numbers.chunks(3).map(Vec3::from_slice).collect();
                 assert_eq!(largest_coordinate(&points).to_bits(), largest.abs().to_bits(), "{largest} at {place}");

@@ -48,7 +48,8 @@ fn large_and_small() -> Scene {
     for (number, polygon) in mesh.polygons.iter_mut().enumerate() {
         polygon.normals = [NormalSource::Averaged, NormalSource::Facet][number % 2];
     }
-    let mut small = Mix { polygons: 400, corners: (3, 6), distance: (0.5, 9.0), spread: 1.0, ..Mix::default() }.scene(96);
+    let mut small =
+        Mix { polygons: 400, corners: (3, 6), distance: (0.5, 9.0), spread: 1.0, ..Mix::default() }.scene(96);
     small.surfaces.insert(2, surface(material, mesh));
     let surfaces = small.surfaces;
     let mut made = scene(camera(96, 80), surfaces);
@@ -58,7 +59,8 @@ fn large_and_small() -> Scene {
     for number in 0..20 {
         let (name, place) = (String::new(), Place::default());
         let mirror = Vec3::new(if number % 2 == 0 { 1.0 } else { -1.0 }, 1.0, 1.0);
-        let parent_from_local = Affine3::from_translation(Vec3::X * 0.1 * f64::from(number)) * Affine3::from_scale(mirror);
+        let parent_from_local =
+            Affine3::from_translation(Vec3::X * 0.1 * f64::from(number)) * Affine3::from_scale(mirror);
         let surfaces = [0, 1, 3, 4].map(SurfaceId).to_vec();
         made.world.push(ObjectId(made.objects.len() as u32));
         made.objects.push(Object { name, parent_from_local, surfaces, children: vec![], place });

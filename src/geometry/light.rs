@@ -9,10 +9,10 @@
 //! Space: eye space; normals are turned to the side that the eye sees.
 //! Source: Gouraud, "Continuous Shading of Curved Surfaces", IEEE Transactions on Computers C-20(6), 1971.
 
+use super::Part;
 use super::cull::Survivor;
 use super::project::Corner;
 use super::walk::{EyeMesh, Side};
-use super::Part;
 use crate::color::Rgb;
 use crate::math::{Vec3, cos, radians, unit};
 use crate::plan::{ClipLight, FlatRule, Interpolation, Plan, Shading};

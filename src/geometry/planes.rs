@@ -94,7 +94,8 @@ impl Space<'_> {
     fn push_values<'v>(&self, at_corners: impl Iterator<Item = &'v Corner> + Clone, planes: &mut Vec<Plane>) {
         let screen = &self.planes.screen;
         let [a, b, c] = self.triangle;
-        let [a, b, c] = [self.outline.fixing(a as usize), self.outline.fixing(b as usize), self.outline.fixing(c as usize)];
+        let [a, b, c] =
+            [self.outline.fixing(a as usize), self.outline.fixing(b as usize), self.outline.fixing(c as usize)];
         let value_range = |number: usize| range(at_corners.clone().map(|corner| corner.values[number]));
         let value_ranges = [value_range(0), value_range(1), value_range(2)];
         // Gradients are the same for all numbers; where all are constant nobody asks.
@@ -119,7 +120,11 @@ impl Space<'_> {
     #[inline(always)]
     fn gradients(&self, [a, b, c]: [Vec3; 3]) -> Option<Gradients> {
         let screen = &self.planes.screen;
-        Gradients::over(if screen.perspective { [a, b, c] } else { [screen.exact(a), screen.exact(b), screen.exact(c)] })
+        Gradients::over(if screen.perspective {
+            [a, b, c]
+        } else {
+            [screen.exact(a), screen.exact(b), screen.exact(c)]
+        })
     }
 
     /// Coefficients of one number's plane; `None` if one of them is not finite.

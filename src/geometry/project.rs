@@ -140,8 +140,8 @@ impl Projector {
         let mut constants = [None; 3];
         for (number, constant) in constants.iter_mut().enumerate() {
             let value = before[0].values[number];
-            let is_constant = self.planes.varying != Varying::Nothing
-                && before.iter().all(|corner| corner.values[number] == value);
+            let is_constant =
+                self.planes.varying != Varying::Nothing && before.iter().all(|corner| corner.values[number] == value);
             *constant = is_constant.then_some(value);
         }
         constants

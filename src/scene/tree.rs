@@ -50,11 +50,7 @@ impl Scene {
     ///
     /// # Errors
     /// As [`Scene::walk`].
-    pub fn walk_with(
-        &self,
-        walk: &mut Walk,
-        mut visit: impl FnMut(Placed<'_>),
-    ) -> Result<(), InstanceBudgetExceeded> {
+    pub fn walk_with(&self, walk: &mut Walk, mut visit: impl FnMut(Placed<'_>)) -> Result<(), InstanceBudgetExceeded> {
         // Counted beforehand: 20 million visits take seconds, to no end.
         if self.instances(walk).is_none() {
             return Err(InstanceBudgetExceeded { budget: Scene::INSTANCE_BUDGET });

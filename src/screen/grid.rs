@@ -61,7 +61,8 @@ mod tests {
 
     #[test]
     fn rounding_without_a_call_is_rounding() {
-        let edges = [0.0, 0.5, 1.5, 2.5, 0.49999999999999994, 4503599627370495.5, 4503599627370496.0, 1e300, f64::INFINITY];
+        let edges =
+            [0.0, 0.5, 1.5, 2.5, 0.49999999999999994, 4503599627370495.5, 4503599627370496.0, 1e300, f64::INFINITY];
         let some = (0..1000).map(|i| f64::from(i) * 0.37);
         for x in edges.into_iter().chain(some).flat_map(|x| [x, -x]) {
             assert_eq!(round_to_even(x).to_bits(), x.round_ties_even().to_bits(), "{x}");
