@@ -93,10 +93,12 @@ impl EyeMesh {
         self.slots.clear();
         self.slots.resize(count, Slot { ready: NOT_ASKED, lit: [NOT_ASKED; 2] });
         self.lights = setting.lighting.lights_vertices() && !self.normals.is_empty();
-        self.asked.clear();
-        self.ready.clear();
-        self.asked_light.clear();
-        self.lit.clear();
+        // Room for all, so that nothing is copied when more are asked for; what is never asked for costs addresses, not memory.
+        let lit = if self.lights { count } else { 0 };
+        empty(&mut self.asked, count);
+        empty(&mut self.ready, count);
+        empty(&mut self.asked_light, lit);
+        empty(&mut self.lit, lit);
         work.vertices_transformed += count as u64;
         work.plane_tests += self.codes.len() as u64 * u64::from(planes.count_ones());
         work.normals += local_normals.len() as u64;
@@ -169,6 +171,12 @@ impl EyeMesh {
     pub fn light(&self, vertex: u32, side: Side) -> [f64; 3] {
         self.lit[self.slots[vertex as usize].lit[side as usize] as usize]
     }
+}
+
+/// Forgets what is in `list`, and makes room for `count`.
+fn empty<T>(list: &mut Vec<T>, count: usize) {
+    list.clear();
+    list.reserve(count);
 }
 
 /// The normals of `mesh` in local space, given ones and means; none where nothing looks at them.
