@@ -144,7 +144,10 @@ impl Segment {
             return;
         }
         let Some(mut outline) = Outline::new(polygon.vertices()) else { return };
-        let whole = [0, 1].map(|axis| [outline.least[axis], outline.most[axis]].map(first_center));
+        let whole = [
+            [first_center(outline.least[0]), first_center(outline.most[0])],
+            [first_center(outline.least[1]), first_center(outline.most[1])],
+        ];
         let Some(inside) = cut(whole, layout) else { return };
         if self.knows_small && is_small(inside) && inside == whole && !polygon.is_cut_out() && outline.make_ready() {
             let covered = covered(simd, &outline, inside);

@@ -55,13 +55,15 @@ impl Outline {
     pub fn new(vertices: &[ScreenVertex]) -> Option<Outline> {
         let (mut least, mut most) = ([i32::MAX; 2], [i32::MIN; 2]);
         let mut corners = [[0; 2]; MOST_EDGES];
-        for (corner, vertex) in corners.iter_mut().zip(vertices) {
-            let [x, y] = [fixed(vertex.x), fixed(vertex.y)];
+        let count = vertices.len().min(MOST_EDGES);
+        let mut index = 0;
+        while index < count {
+            let [x, y] = [fixed(vertices[index].x), fixed(vertices[index].y)];
             least = [least[0].min(x), least[1].min(y)];
             most = [most[0].max(x), most[1].max(y)];
-            *corner = [x, y];
+            corners[index] = [x, y];
+            index += 1;
         }
-        let count = vertices.len();
         (count > 0).then_some(Outline { corners, count, least, most })
     }
 

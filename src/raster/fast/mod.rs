@@ -20,6 +20,7 @@ mod edges;
 mod lanes;
 mod layout;
 mod level;
+mod mean;
 mod planes;
 mod shade;
 mod sink;
@@ -160,7 +161,7 @@ impl Job<'_> {
         tile.clear(self.layout.area(number), self.layout.side as usize);
         tile.draw(self.list, segments, number, level);
         tile.shade(self.list, self.behind, level);
-        sink.take(tile);
+        sink.take(tile, level);
     }
 }
 

@@ -52,12 +52,15 @@ impl<const N: usize> Ready<N> {
         let planes = view.varying_planes();
         let block = (x & !(BLOCK - 1), y & !(BLOCK - 1));
         let mut ready = Ready { polygon, block, single: planes.len() == N, constant: true, ..Ready::nothing() };
-        for (number, (channel, plane)) in ready.channels.iter_mut().zip(planes).enumerate() {
+        let mut number = 0;
+        while number < N && number < planes.len() {
+            let (plane, channel) = (&planes[number], &mut ready.channels[number]);
             ready.single &= plane.fits_single();
             ready.constant &= plane.evaluation == Evaluation::Constant;
             let range = [plane.low as f32, plane.high as f32];
             let anchor = plane.anchor(block.0, block.1);
             *channel = Channel { anchor, slope: plane.slope(), range, over_w: view.is_over_w(number, plane) };
+            number += 1;
         }
         ready
     }
@@ -119,10 +122,8 @@ impl Eight {
     #[inline(always)]
     pub fn set(&mut self, lane: usize, (x, y): (i32, i32)) {
         let block = [x & !(BLOCK - 1), y & !(BLOCK - 1)];
-        for (axis, sample) in [x, y].into_iter().enumerate() {
-            self.center[axis][lane] = f64::from(block[axis]) + 0.5;
-            self.at[axis][lane] = (sample - block[axis]) as f32;
-        }
+        (self.center[0][lane], self.center[1][lane]) = (f64::from(block[0]) + 0.5, f64::from(block[1]) + 0.5);
+        (self.at[0][lane], self.at[1][lane]) = ((x - block[0]) as f32, (y - block[1]) as f32);
     }
 }
 

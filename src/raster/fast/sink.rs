@@ -6,15 +6,17 @@
 //! hundredth of the time that drawing it takes, so threads hardly ever wait.
 
 use super::layout::Area;
+use super::mean::means;
 use super::tile::{Depth, NOBODY, Tile};
 use crate::color::Rgb;
 use crate::raster::{Pixels, Target};
 use crate::screen::Fragment;
+use fearless_simd::Level;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Takes finished tiles.
 pub(super) trait Sink<D>: Sync {
-    fn take(&self, tile: &Tile<D>);
+    fn take(&self, tile: &Tile<D>, level: Level);
     /// Takes a tile on which nothing is drawn.
     fn fill(&self, area: &Area, background: Rgb<f32>);
 }
@@ -44,7 +46,7 @@ impl<'a> PixelRows<'a> {
 }
 
 impl<D: Depth> Sink<D> for PixelRows<'_> {
-    fn take(&self, tile: &Tile<D>) {
+    fn take(&self, tile: &Tile<D>, level: Level) {
         let Area { columns, rows } = &tile.area;
         let Some(band) = self.bands.get((rows.start / self.side) as usize) else { return };
         let left = columns.start as usize / self.samples;
@@ -53,14 +55,9 @@ impl<D: Depth> Sink<D> for PixelRows<'_> {
         let mut band = lock(band);
         for (number, pixels) in band.chunks_mut(self.width).enumerate() {
             let top = number * self.samples * tile.stride;
-            let light = tile.light.each_ref().map(|channel| &channel[top..]);
-            let pixels = &mut pixels[left..right];
-            match self.samples {
-                1 => means::<1>(pixels, light, (tile.stride, 1)),
-                2 => means::<2>(pixels, light, (tile.stride, 2)),
-                4 => means::<4>(pixels, light, (tile.stride, 4)),
-                samples => means::<0>(pixels, light, (tile.stride, samples)),
-            }
+            let [red, green, blue] = &tile.light;
+            let light = [&red[top..], &green[top..], &blue[top..]];
+            means(level, &mut pixels[left..right], light, (tile.stride, self.samples));
         }
     }
 
@@ -72,36 +69,11 @@ impl<D: Depth> Sink<D> for PixelRows<'_> {
     }
 }
 
-/// Means of `samples` x `samples` samples, rows `stride` apart, in the order of [`crate::image::box_mean`]; A is `samples`, or 0
-/// if the program is not made ready for it.
-#[inline(always)]
-fn means<const A: usize>(pixels: &mut [Rgb<f32>], light: [&[f32]; 3], (stride, samples): (usize, usize)) {
-    let samples = if A == 0 { samples } else { A };
-    let [red, green, blue] = light;
-    if A == 1 {
-        for (((pixel, &r), &g), &b) in pixels.iter_mut().zip(red).zip(green).zip(blue) {
-            *pixel = Rgb::new(r, g, b);
-        }
-        return;
-    }
-    let count = (samples * samples) as f64;
-    for (number, pixel) in pixels.iter_mut().enumerate() {
-        let mut sums = [0.0_f64; 3];
-        for row in 0..samples {
-            let range = row * stride + number * samples..row * stride + (number + 1) * samples;
-            for ((&r, &g), &b) in red[range.clone()].iter().zip(&green[range.clone()]).zip(&blue[range]) {
-                sums = [sums[0] + f64::from(r), sums[1] + f64::from(g), sums[2] + f64::from(b)];
-            }
-        }
-        *pixel = Rgb::from(sums.map(|sum| sum / count)).to_f32();
-    }
-}
-
 /// A target with depth, color and owner of every sample.
 pub(super) struct Samples<'a, 'b>(pub Mutex<&'a mut Target<'b>>);
 
 impl<D: Depth> Sink<D> for Samples<'_, '_> {
-    fn take(&self, tile: &Tile<D>) {
+    fn take(&self, tile: &Tile<D>, _level: Level) {
         let mut target = lock(&self.0);
         for y in tile.area.rows.clone() {
             for x in tile.area.columns.clone() {

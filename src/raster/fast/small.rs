@@ -50,7 +50,8 @@ pub(super) fn is_small([columns, rows]: Reach) -> bool {
 pub(super) fn covered<S: Simd>(simd: S, outline: &Outline, [columns, rows]: Reach) -> u64 {
     let corners = outline.corners();
     let Some(&last) = corners.last() else { return 0 };
-    let center = [columns[0], rows[0]].map(|sample| (sample << BITS) + (1 << (BITS - 1)));
+    let half = 1 << (BITS - 1);
+    let center = [(columns[0] << BITS) + half, (rows[0] << BITS) + half];
     let numbers = i32x8::from_slice(simd, &[0, 1, 2, 3, 4, 5, 6, 7]);
     let mut outside = [i32x8::splat(simd, 0); SIDE as usize];
     let mut from = last;
@@ -62,15 +63,19 @@ pub(super) fn covered<S: Simd>(simd: S, outline: &Outline, [columns, rows]: Reac
         let start = (value - i32::from(!keeps_centers)) >> BITS;
         let down = i32x8::splat(simd, dx);
         let mut along = numbers * i32x8::splat(simd, -dy) + i32x8::splat(simd, start);
-        for row in &mut outside {
-            *row |= along;
+        let mut row = 0;
+        while row < SIDE as usize {
+            outside[row] |= along;
             along += down;
+            row += 1;
         }
         from = to;
     }
     let mut covered = 0;
-    for (row, outside) in outside.iter().enumerate() {
-        covered |= outside.simd_ge(i32x8::splat(simd, 0)).to_bitmask() << (8 * row);
+    let mut row = 0;
+    while row < SIDE as usize {
+        covered |= outside[row].simd_ge(i32x8::splat(simd, 0)).to_bitmask() << (8 * row);
+        row += 1;
     }
     covered
 }
@@ -87,8 +92,8 @@ impl Small {
     #[inline(always)]
     pub fn draw<S: Simd>(&self, simd: S, samples: &mut Samples<'_>) {
         let (mut rest, left) = self.cut(samples);
-        let [a, b] = [self.plane[0] as f32, self.plane[1] as f32].map(|slope| f32x8::splat(simd, slope));
-        let [low, high] = self.range.map(|end| f32x8::splat(simd, end));
+        let (a, b) = (f32x8::splat(simd, self.plane[0] as f32), f32x8::splat(simd, self.plane[1] as f32));
+        let (low, high) = (f32x8::splat(simd, self.range[0]), f32x8::splat(simd, self.range[1]));
         // A row lies in one block or in two.
         let block_x = left & !(BLOCK - 1);
         let from_block = counting(simd) + f32x8::splat(simd, (left - block_x) as f32);
@@ -104,7 +109,8 @@ impl Small {
             let y = self.top + row;
             if block_y != y & !(BLOCK - 1) {
                 block_y = y & !(BLOCK - 1);
-                let [first, second] = [block_x, block_x + BLOCK].map(|x| f32x8::splat(simd, self.anchor(x, block_y)));
+                let first = f32x8::splat(simd, self.anchor(block_x, block_y));
+                let second = f32x8::splat(simd, self.anchor(block_x + BLOCK, block_y));
                 anchor = in_second.select(second, first);
             }
             let dy = f32x8::splat(simd, (y - block_y) as f32);

@@ -78,29 +78,38 @@ impl EyeLight {
     /// The same at one point or several side by side.
     #[inline(always)]
     pub(super) fn arriving_at<T: Wide>(&self, eye: [T; 3]) -> Arriving<T> {
-        let [zero, one] = [eye[0].all(0.0), eye[0].all(1.0)];
-        let all = |numbers: [f64; 3]| [zero.all(numbers[0]), zero.all(numbers[1]), zero.all(numbers[2])];
-        let away = |position: Vec3| {
-            let position = all(position.to_array());
-            unit([position[0] - eye[0], position[1] - eye[1], position[2] - eye[2]])
-        };
-        let color = all(self.color.to_array());
+        let (zero, one) = (eye[0].all(0.0), eye[0].all(1.0));
+        let color = everywhere(zero, self.color.to_array());
         match self.source {
             EyeSource::Point { position } => {
-                let (to_light, arrives) = away(position);
+                let (to_light, arrives) = direction(position, eye);
                 Arriving { to_light, color, arrives }
             }
             EyeSource::Directional { to_light } => {
-                Arriving { to_light: all(to_light.to_array()), color, arrives: one.above(zero) }
+                Arriving { to_light: everywhere(zero, to_light.to_array()), color, arrives: one.above(zero) }
             }
             EyeSource::Spot(spot) => {
-                let (to_light, has_direction) = away(spot.position);
-                let share = (zero - dot(all(spot.axis.to_array()), to_light)).each(|cosine| spot.share(cosine));
+                let (to_light, has_direction) = direction(spot.position, eye);
+                let axis = everywhere(zero, spot.axis.to_array());
+                let share = (zero - dot(axis, to_light)).each(|cosine| spot.share(cosine));
                 let color = [color[0] * share, color[1] * share, color[2] * share];
                 Arriving { to_light, color, arrives: has_direction & share.above(zero) }
             }
         }
     }
+}
+
+/// Three numbers in as many lanes as `like` has.
+#[inline(always)]
+fn everywhere<T: Wide>(like: T, numbers: [f64; 3]) -> [T; 3] {
+    [like.all(numbers[0]), like.all(numbers[1]), like.all(numbers[2])]
+}
+
+/// The unit direction from points to `position`, and where there is one.
+#[inline(always)]
+fn direction<T: Wide>(position: Vec3, eye: [T; 3]) -> ([T; 3], T::Mask) {
+    let position = everywhere(eye[0], position.to_array());
+    unit([position[0] - eye[0], position[1] - eye[1], position[2] - eye[2]])
 }
 
 /// Light that arrives at points, one or several side by side.

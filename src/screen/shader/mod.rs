@@ -115,10 +115,8 @@ impl Shader {
             let lit = if surface.is_nff() { faces } else { arrives } & wanted;
             if has_highlight && T::count(lit) > 0 {
                 let twice = cosine.all(2.0) * cosine;
-                let mut mirrored = normal;
-                for (along, towards) in mirrored.iter_mut().zip(to_light) {
-                    *along = *along * twice - towards;
-                }
+                let mirrored =
+                    [normal[0] * twice - to_light[0], normal[1] * twice - to_light[1], normal[2] * twice - to_light[2]];
                 add(&mut specular, color, highlight(surface, dot(mirrored, view), lit, powers));
             }
         }
@@ -244,9 +242,7 @@ struct Points<T: Wide> {
 /// Adds `color` times `share`.
 #[inline(always)]
 fn add<T: Wide>(sum: &mut [T; 3], color: [T; 3], share: T) {
-    for (sum, color) in sum.iter_mut().zip(color) {
-        *sum = *sum + color * share;
-    }
+    *sum = [sum[0] + color[0] * share, sum[1] + color[1] * share, sum[2] + color[2] * share];
 }
 
 /// Highlights of `surface` at the points that are `lit`, where the mirrored light and the eye are `cosine` apart; none where it is not

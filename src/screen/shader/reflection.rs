@@ -71,7 +71,8 @@ impl SurfaceShading {
     pub(super) fn sent<T: Wide>(&self, diffuse: [T; 3], specular: [T; 3], factor: Option<[T; 3]>) -> [T; 3] {
         let (own, scattered) = (self.ambient.to_array(), self.diffuse.to_array());
         let mut light = diffuse;
-        for channel in 0..3 {
+        let mut channel = 0;
+        while channel < 3 {
             let (diffuse, specular) = (diffuse[channel], specular[channel]);
             let (mut ambient, mut color) = (diffuse.all(own[channel]), diffuse.all(scattered[channel]));
             if let Some(factor) = factor {
@@ -83,6 +84,7 @@ impl SurfaceShading {
             } else {
                 cut(ambient + color * cut(diffuse, 1.0) + cut(specular, 1.0) * mirror, 1.0)
             };
+            channel += 1;
         }
         light
     }
