@@ -293,7 +293,7 @@ fn a_student_crate_is_made() {
 #[test]
 fn short_help_fits_and_ends_with_two_examples() {
     let desk = Desk::new();
-    let commands = "render dump raster suite compare convert generate grade plan why list completions";
+    let commands = "render dump raster suite compare convert generate grade bench plan why list completions";
     for command in commands.split(' ').chain(["", "student new"]) {
         let help = desk.done(&format!("{command} -h"));
         for line in help.text().lines() {

@@ -108,7 +108,7 @@ mod oracle {
         let mut picture: Vec<V> = vec![of.background.map(f64::from); width * height];
         for corners in of.indices.chunks(3) {
             let at = |list: &[[f32; 3]]| -> [V; 3] { [0, 1, 2].map(|k| list[corners[k] as usize].map(f64::from)) };
-            let (places, normals, colors) = (at(&of.positions), at(&of.normals), at(&of.colors));
+            let (places, normals, colors) = (at(&of.positions), at(&of.normals).map(unit), at(&of.colors));
             let lit = [0, 1, 2].map(|k| light(of, places[k], normals[k], colors[k]));
             let clip = places.map(|p| {
                 let mut c = times(&of.projection, times(&of.view, [p[0], p[1], p[2], 1.0]));
@@ -249,7 +249,7 @@ fn one_wrong_field_is_named() {
         (24, 5, "width and height of the texture, both or none of them 0"),
         (32, 7, "byte 32: expected 0, found 7"),
         (40, f32::NAN.to_bits(), "byte 40: expected a finite number among the view matrix"),
-        (44, 1, "byte 40: expected a view matrix that turns and moves"),
+        (44, 1.0f32.to_bits(), "byte 40: expected a view matrix that turns and moves"),
         (104, 2.5f32.to_bits(), "byte 104: expected a perspective"),
         (196, (-1.0f32).to_bits(), "byte 196: a coefficient of the material cannot be negative, and is -1"),
         (head - 8, 2, "expected 0 or 1 and a 0, found 2, 0"),

@@ -13,7 +13,7 @@ use std::path::PathBuf;
 /// A built-in scene as an NFF or .ftri file
 #[derive(Args)]
 #[command(
-    after_help = "Examples:\n  farop generate gears --size 4 -o gears.nff\n  farop generate balls --size 2 --resolution 3 -o balls.nff\n  farop generate flake:100k -o flake100k.ftri"
+    after_help = "Examples:\n  farop generate balls --size 2 --resolution 3 -o balls.nff\n  farop generate flake:100k -o flake100k.ftri"
 )]
 pub(super) struct GenerateCommand {
     /// balls, gears, jacks, ..., flake:10k, fill_b2f, ...: see `farop list scenes`

@@ -121,16 +121,19 @@ mod tests {
     #[test]
     fn eight_at_a_time_are_as_one_by_one() {
         let mut read = 0;
-        for number in 0..400_000 {
+        for number in 0..2_000_000 {
             let text = text(number);
-            let Some(quick) = super::number(text.as_bytes()) else { continue };
-            read += 1;
-            assert_eq!(any_number(text.as_bytes()), Ok(quick), "{text:?}");
-            let word = text.split_ascii_whitespace().next().expect("a word");
-            let standard: f64 = word.parse().expect("a number");
-            assert_eq!(quick.value.to_bits(), standard.to_bits(), "{text:?}");
+            let word = text.split_ascii_whitespace().next().unwrap_or_default();
+            let standard = word.parse().map(f64::to_bits).ok();
+            if let Some(quick) = super::number(text.as_bytes()) {
+                read += 1;
+                assert_eq!(Some(quick.value.to_bits()), standard, "{text:?}");
+                assert_eq!(any_number(text.as_bytes()), Ok(quick), "{text:?}");
+            } else if let Ok(slow) = any_number(text.as_bytes()) {
+                assert_eq!(Some(slow.value.to_bits()), standard.filter(|_| !word.is_empty()), "{text:?}");
+            }
         }
-        assert!(read > 40_000, "{read} of 400000 were read eight at a time");
+        assert!(read > 100_000, "{read} of 2,000,000 were read eight at a time");
     }
 
     #[test]

@@ -5,7 +5,7 @@
 //! Reading is all or nothing: a file with a mistake gives up to 20 diagnostics and no scene, so nobody draws half a
 //! scene and wonders. What can be drawn in spite of an oddity is drawn, and told once in [`Parsed::notices`].
 //!
-//! Cost: `nff` reads more than 100 MB/s; memory holds the text without comments, and the scene.
+//! Cost: `nff` reads more than 200 MB of text a second of processor time; memory holds the text without comments, and the scene.
 
 mod area;
 mod bezier;

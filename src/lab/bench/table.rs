@@ -45,8 +45,21 @@ pub fn text(subject: &Subject, rows: &[Row]) -> String {
     let mut text = head(subject, rows);
     let _ = writeln!(
         text,
-        "{:10} thr plan geomet raster levels  frame (quarters)        cpu write Mtri/s Mpx/s  B/px differ",
-        "rasterizer"
+        "{:10} {:>3}{:>5}{:>7}{:>7}{:>7}{:>7} {:<14}{:>6}{:>6}{:>7}{:>6}{:>6}{:>7}",
+        "rasterizer",
+        "thr",
+        "plan",
+        "geomet",
+        "raster",
+        "levels",
+        "frame",
+        "(quarters)",
+        "cpu",
+        "write",
+        "Mtri/s",
+        "Mpx/s",
+        "B/px",
+        "differ"
     );
     for row in rows {
         let name = shortened(&row.name, 10);
