@@ -28,8 +28,16 @@ fn away(degrees: f64) -> Vec3 {
 
 fn shader(reflection: Reflection, (ambient, diffuse, specular): (f64, f64, f64), lights: &[(f64, f64)]) -> Shader {
     let (ambient, diffuse, opacity) = (COLOR * ambient, COLOR * diffuse, Rgb::gray(1.0));
-    let surface =
-        SurfaceShading { reflection, ambient, diffuse, specular, shine: 9.0, opacity, texture: None, place: Place::default() };
+    let surface = SurfaceShading {
+        reflection,
+        ambient,
+        diffuse,
+        specular,
+        shine: 9.0,
+        opacity,
+        texture: None,
+        place: Place::default(),
+    };
     let light = |&(degrees, level): &(f64, f64)| EyeLight {
         source: EyeSource::Directional { to_light: away(degrees) },
         color: Rgb::gray(level),
