@@ -368,7 +368,8 @@ fn sipp_says_which_picture() {
 
 #[test]
 fn merged_scenes_keep_their_pictures() {
-    let (mut first, second) = (own_scene("cutout.sipp"), own_scene("tree_rows.sipp"));
+    let (mut first, mut second) = (own_scene("cutout.sipp"), own_scene("tree_rows.sipp"));
+    second.textures.iter_mut().for_each(|texture| texture.name += " of the second");
     let count = first.textures.len();
     let _ = first.merge(second.clone());
     let textured = |scene: &Scene, from: usize| -> Vec<String> {

@@ -185,8 +185,8 @@ pub fn level_of_detail(slopes: [[f32; 2]; 2], (width, height): (u32, u32)) -> f3
         x * x + y * y
     });
     let longest = squared[0].max(squared[1]);
-    // Nothing varies, or nothing is known: the picture itself. Negation catches not-a-number.
-    if !(longest > f32::MIN_POSITIVE) {
+    // Nothing varies, or nothing is known: the picture itself.
+    if longest.is_nan() || longest <= f32::MIN_POSITIVE {
         return 0.0;
     }
     // The bits of a float are its logarithm, nearly.

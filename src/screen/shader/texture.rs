@@ -258,7 +258,7 @@ mod tests {
             // Another threshold moves the middle, not the ends.
             assert_eq!(there(&textures, 1.0, 0.25, 3), all);
             assert_eq!(there(&textures, 0.0, 0.25, 3), 0);
-            assert_eq!(there(&textures, 0.25 + 1e-6, 0.25, 3), all / 2);
+            assert_eq!(there(&textures, 0.25 + 1e-6, 0.25, 3), all.div_ceil(2));
         }
     }
 
