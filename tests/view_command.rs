@@ -53,8 +53,9 @@ fn a_path_plays_the_same_everywhere() {
         let mut player = viewer("depth_overlap.nff", 32);
         player.state.path = read_path(&write_path(&poses)).expect("its own text");
         press(&mut player, "to");
-        let frame = |_| {
+        let frame = |number: usize| {
             press(&mut player, &format!("<time:{seconds}>"));
+            assert_eq!(player.state.eye.pose, poses[number.min(10)], "frame {number}");
             player.draw().clone()
         };
         let frames: Vec<_> = (0..12).map(frame).collect();

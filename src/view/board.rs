@@ -7,6 +7,7 @@
 //!
 //! Space: pixels, x right, y down; points between pixels are allowed and everything outside is dropped.
 
+use crate::color::Rgb;
 use crate::image::{Image, Picture};
 use crate::lab::chart::font;
 
@@ -63,8 +64,14 @@ impl Board {
         std::thread::scope(|scope| {
             for (pixels, lights) in self.pixels.chunks_mut(each).zip(image.pixels().chunks(each)) {
                 scope.spawn(move || {
-                    for (pixel, light) in pixels.iter_mut().zip(lights) {
-                        *pixel = packed(light.to_array().map(|channel| encoding.level(channel)));
+                    let encode = |light: Rgb<f32>| packed(light.to_array().map(|channel| encoding.level(channel)));
+                    let (mut last, mut shown) = (Rgb::gray(0.0), encode(Rgb::gray(0.0)));
+                    for (pixel, &light) in pixels.iter_mut().zip(lights) {
+                        // Neighbors are often equal, and comparing is cheaper than encoding.
+                        if light != last {
+                            (last, shown) = (light, encode(light));
+                        }
+                        *pixel = shown;
                     }
                 });
             }

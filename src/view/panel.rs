@@ -34,7 +34,7 @@ pub(super) fn panel(board: &mut Board, lines: &[String], place: Place, (scale, c
     if broken.len() > most {
         let hidden = broken.len() - (most - 1);
         broken.truncate(most - 1);
-        broken.push(format!("... {hidden} more lines: enlarge the window"));
+        broken.push(format!("... {hidden} more lines"));
     }
     if broken.is_empty() {
         return 0;
@@ -85,8 +85,9 @@ mod tests {
         let lines: Vec<String> = (0..9).map(|number| number.to_string()).collect();
         assert_eq!(panel(&mut board, &lines, Place::Top, (1, ink::WHITE)), 36);
         let mut told = Board::new(200, 40, 0);
-        let shown = ["0", "1", "... 7 more lines: enlarge the window"].map(String::from);
+        let shown = ["0", "1", "... 7 more lines"].map(String::from);
         panel(&mut told, &shown, Place::Top, (1, ink::WHITE));
-        assert_eq!(board, told);
+        // Thousands of numbers are no message.
+        assert!(board == told);
     }
 }
