@@ -44,6 +44,7 @@ fn hills(side: usize, surfaces: usize) -> Scene {
     };
     let (from, at, up) = (Vec3::new(0.0, 1.5, 2.2), Vec3::ZERO, Vec3::Y);
     Scene {
+        textures: Vec::new(),
         files: vec!["made".into()],
         objects: vec![object],
         surfaces,

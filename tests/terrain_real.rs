@@ -106,7 +106,7 @@ fn a_finer_tile_beside_a_coarser_one() {
     let thinned = Grid::new("thin", (401, 401), thinned, frame).expect("401 x 401");
     let joint = merge(vec![thinned.clone(), fine.clone()]).expect("neighbors");
     assert_eq!((joint.grid.columns(), joint.grid.rows(), joint.resampled), (1201, 2401, 1));
-    assert_eq!(joint.grid.row(1200), fine.row(0), "the finer tile wins on the seam");
+    assert!(joint.grid.row(1200) == fine.row(0), "the finer tile wins on the seam");
     assert_eq!(joint.grid.height(300, 600), thinned.height(100, 200), "samples stay where they are");
 }
 

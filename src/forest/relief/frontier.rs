@@ -207,15 +207,15 @@ mod tests {
                 let criterion = FromEye { hierarchy: &hierarchy, spheres: &spheres, observer, tolerance: 4.0 };
                 let changed = frontier.follow(&criterion, usize::MAX);
                 (changes.halved, changes.joined) = (changes.halved + changed.halved, changes.joined + changed.joined);
-                assert_eq!(frontier.mesh(), from_scratch(&hierarchy, &criterion), "step {step}");
+                assert!(frontier.mesh() == from_scratch(&hierarchy, &criterion), "another mesh at step {step}");
                 three.move_to(observer.eye);
                 other.follow(&three, usize::MAX);
-                assert_eq!(other.mesh(), from_scratch(&hierarchy, &three), "step {step}");
+                assert!(other.mesh() == from_scratch(&hierarchy, &three), "another mesh at step {step}");
             }
             assert!(changes.halved > 200 && changes.joined > 200, "{changes:?}");
             // And back to an error that knows no eye.
             frontier.follow(&ByError { hierarchy: &hierarchy, error: 25.0 }, usize::MAX);
-            assert_eq!(frontier.mesh(), super::super::mesh::within(&hierarchy, 25.0));
+            assert!(frontier.mesh() == super::super::mesh::within(&hierarchy, 25.0));
         }
     }
 
@@ -251,6 +251,6 @@ mod tests {
             assert!(frames < 1000);
         }
         assert!(frames > 5);
-        assert_eq!(frontier.mesh(), super::super::mesh::within(&hierarchy, 10.0));
+        assert!(frontier.mesh() == super::super::mesh::within(&hierarchy, 10.0));
     }
 }
