@@ -70,7 +70,10 @@ impl Covering {
         for (number, covered) in &mut self.faces {
             let corners = &case.faces[*number].corners;
             let range = |pick: fn(&(f64, f64)) -> f64| {
-                let (low, high) = corners.iter().map(pick).fold((f64::INFINITY, 0.0_f64), |(low, high), at| (low.min(at), high.max(at)));
+                let (low, high) = corners
+                    .iter()
+                    .map(pick)
+                    .fold((f64::INFINITY, 0.0_f64), |(low, high), at| (low.min(at), high.max(at)));
                 low as usize..=high as usize
             };
             let (columns, rows) = (range(|corner| corner.0), range(|corner| corner.1));

@@ -39,7 +39,8 @@ impl Search<'_> {
         // What the aspect cannot tell apart, all of them together may.
         let everywhere = |&(_, first, second): &(usize, usize, usize)| {
             let rules = self.mutants[second].applied_to(&self.mutants[first].applied_to(&self.rules));
-            let left = (0..self.aspects.len()).filter_map(|aspect| self.mismatches(aspect, &rules, usize::MAX)).sum::<usize>();
+            let left =
+                (0..self.aspects.len()).filter_map(|aspect| self.mismatches(aspect, &rules, usize::MAX)).sum::<usize>();
             (left, first, second)
         };
         let mut pairs: Vec<_> = pairs.iter().map(everywhere).collect();
@@ -70,7 +71,6 @@ impl Search<'_> {
         }
         best
     }
-
 
     /// Adds to the mutants those that do best where most is wrong, each with what goes along with it in some programs.
     pub(super) fn accompany(&mut self) {

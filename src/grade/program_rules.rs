@@ -5,6 +5,7 @@
 //! Space: samples.
 
 use super::case::Face;
+use super::summed::span;
 
 /// How a polygon is changed before it is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,7 +75,8 @@ impl Block {
 
     /// The sample that decides about another.
     pub(super) fn of(self, face: &Face, (x, y): (i32, i32)) -> (i32, i32) {
-        let least = |pick: fn(&(f64, f64)) -> f64| face.corners.iter().map(pick).fold(f64::INFINITY, f64::min).floor() as i32;
+        let least =
+            |pick: fn(&(f64, f64)) -> f64| face.corners.iter().map(pick).fold(f64::INFINITY, f64::min).floor() as i32;
         let (left, top) = if self.from_bounds { (least(|corner| corner.0), least(|corner| corner.1)) } else { (0, 0) };
         (x - (x - left).rem_euclid(self.size.0) + self.at.0, y - (y - top).rem_euclid(self.size.1) + self.at.1)
     }
@@ -103,6 +105,32 @@ impl DepthPoint {
             DepthPoint::AtX(fixed) => (fixed, y),
             DepthPoint::AtY(fixed) => (x, fixed),
             DepthPoint::At(x, y) => (x, y),
+        }
+    }
+}
+
+/// What x and y are counted from, where a plane is evaluated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Origin {
+    /// The picture's upper left corner.
+    Picture,
+    /// x from the first sample of the span.
+    Span,
+    /// Both from the upper left sample of the polygon's bounds.
+    Bounds,
+    /// Both from the first corner.
+    FirstCorner,
+}
+
+impl Origin {
+    /// A point of the picture as it is counted.
+    pub(super) fn of(self, face: &Face, (x, y): (f64, f64)) -> (f64, f64) {
+        let least = |pick: fn(&(f64, f64)) -> f64| face.corners.iter().map(pick).fold(f64::INFINITY, f64::min).floor();
+        match self {
+            Origin::Picture => (x, y),
+            Origin::Span => (x - span(face, (x, y)).map_or(0.0, |span| span.0.floor()), y),
+            Origin::Bounds => (x - least(|corner| corner.0), y - least(|corner| corner.1)),
+            Origin::FirstCorner => (x - face.corners[0].0, y - face.corners[0].1),
         }
     }
 }
@@ -157,6 +185,10 @@ pub struct Memory {
     pub color_at: Address,
     /// The order in which samples of a polygon are drawn.
     pub walk: Walk,
+    /// Columns and rows from a sample to that whose depth is looked up.
+    pub read_beside: (i32, i32),
+    /// To that whose depth is written.
+    pub written_beside: (i32, i32),
 }
 
 /// The order in which samples of a polygon are drawn.
@@ -192,7 +224,13 @@ impl Walk {
 
 impl Memory {
     /// Each at its own place.
-    pub const RIGHT: Memory = Memory { depth_at: Address::Own, color_at: Address::Own, walk: Walk::Rows };
+    pub const RIGHT: Memory = Memory {
+        depth_at: Address::Own,
+        color_at: Address::Own,
+        walk: Walk::Rows,
+        read_beside: (0, 0),
+        written_beside: (0, 0),
+    };
 }
 
 /// The address of a sample.

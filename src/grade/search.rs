@@ -2,10 +2,10 @@
 //!
 //! Cost: every mutant draws every case once a round, but stops as soon as it leaves more pixels wrong than could name it.
 
+use super::covering::Covering;
 use super::diagnose::Fault;
 use super::labs::Lab;
 use super::mutants::{self, Mutant};
-use super::covering::Covering;
 use super::paint::{paint, paint_known};
 use super::rules::Rules;
 use super::verdict::{AspectVerdict, Shot, wrong};
@@ -22,7 +22,9 @@ const MARGIN_OF_ALL: f64 = 0.01;
 const MOST_FAULTS: usize = 5;
 /// Part of the wrong pixels of an aspect that a later mistake explains at least: less than that is a rest of what was named before.
 const SHARE_OF_LATER: f64 = 0.25;
-/// Aspects that a mistake must explain whole to stand beside what nothing explains.
+/// Part of all wrong pixels that a mistake explains at least to stand beside what nothing explains.
+const SHARE_OF_ALL: f64 = 0.75;
+/// Aspects that it must explain whole, where it explains less.
 const WHOLE_ASPECTS: usize = 2;
 
 /// Pixels of all pictures that are not as the rules say.
@@ -127,19 +129,21 @@ impl<'a> Search<'a> {
     }
 
     fn begin_round(&mut self, rules: Rules) {
-        self.left = (0..self.aspects.len()).map(|aspect| self.mismatches(aspect, &rules, usize::MAX).unwrap_or(0)).collect();
+        self.left =
+            (0..self.aspects.len()).map(|aspect| self.mismatches(aspect, &rules, usize::MAX).unwrap_or(0)).collect();
         self.table = RefCell::new(vec![vec![None; self.aspects.len()]; self.mutants.len()]);
         self.rules = rules;
     }
 
-    /// Whether a mistake explains several aspects to the last pixel, and makes nothing worse.
+    /// Whether a mistake explains several aspects to the last pixel, or most of everything, and makes nothing worse.
     fn is_solid(&self, fault: &Fault) -> bool {
-        let counts = |aspect: &AspectVerdict| {
-            (mismatches(&aspect.shots, &fault.rules.0), mismatches(&aspect.shots, &fault.rules.1))
-        };
-        let counts: Vec<_> = self.aspects.iter().map(counts).collect();
+        let count = |aspect: usize, rules: &Rules| self.mismatches(aspect, rules, usize::MAX).unwrap_or(usize::MAX);
+        let of = |aspect: usize| (count(aspect, &fault.rules.0), count(aspect, &fault.rules.1));
+        let counts: Vec<_> = (0..self.aspects.len()).map(of).collect();
         let whole = counts.iter().filter(|&&(before, after)| before > 0 && after == 0).count();
-        whole >= WHOLE_ASPECTS && counts.iter().all(|&(before, after)| after <= before)
+        let (before, after) = counts.iter().fold((0, 0), |sum, count| (sum.0 + count.0, sum.1 + count.1));
+        let is_most = after as f64 <= (1.0 - SHARE_OF_ALL) * before as f64;
+        (whole >= WHOLE_ASPECTS || is_most) && counts.iter().all(|&(before, after)| after <= before)
     }
 
     /// Names one mistake or gives one aspect up; false when there is nothing left to do.
@@ -210,7 +214,8 @@ impl<'a> Search<'a> {
     /// Whether a mistake is more than what an earlier one, painted not quite as the program does it, left over.
     fn is_no_rest(&self, score: &Score) -> bool {
         let is_much = |aspect: usize| {
-            let gained = self.left[aspect] - self.cell(score.mutant, aspect, self.left[aspect]).unwrap_or(self.left[aspect]);
+            let gained =
+                self.left[aspect] - self.cell(score.mutant, aspect, self.left[aspect]).unwrap_or(self.left[aspect]);
             gained > 0 && gained as f64 >= SHARE_OF_LATER * self.wrong[aspect] as f64
         };
         self.faults.is_empty() || (0..self.left.len()).any(is_much)
@@ -352,7 +357,8 @@ fn concerns(mutant: &Mutant, lab: &Lab, aspects: &[AspectVerdict]) -> bool {
     if !has_lit && !has(|shot| shot.case.faces.iter().any(|face| !face.is_flat())) && rules.cover_at == right.cover_at {
         // Where nothing varies but depth, depth is what is taken elsewhere.
         let at_corner = rules.value_at == (0.0, 0.0);
-        (rules.value_at, rules.clamps) = if at_corner { (rules.value_at, rules.clamps) } else { (right.value_at, right.clamps) };
+        (rules.value_at, rules.clamps) =
+            if at_corner { (rules.value_at, rules.clamps) } else { (right.value_at, right.clamps) };
     }
     if lab.name != "watkins" {
         // Only scan-line programs have spans of several faces.

@@ -49,7 +49,9 @@ fn turned((x, y): (f64, f64), turned: Turned, (width, height): (f64, f64)) -> (f
 /// Gives a face the planes that take at `corners` what its own take at its corners.
 fn follow(face: &mut Face, corners: &[(f64, f64)]) {
     let first = [corners[0], corners[1], corners[2]];
-    let over = |[a, b, c]: [f64; 3]| [0, 1, 2].map(|corner: usize| a * face.corners[corner].0 + b * face.corners[corner].1 + c);
+    let over = |[a, b, c]: [f64; 3]| {
+        [0, 1, 2].map(|corner: usize| a * face.corners[corner].0 + b * face.corners[corner].1 + c)
+    };
     let through = |plane: [f64; 3]| plane_through(first, over(plane));
     (face.inverse_w, face.over_w) = (through(face.inverse_w), face.over_w.map(through));
 }

@@ -79,7 +79,9 @@ impl Stack {
     /// The second nearest opaque face in place of the nearest, where there are two.
     fn keep_second(&mut self, case: &Case) {
         let mut opaque: Vec<(usize, f64)> = Vec::new();
-        opaque.extend(self.layers.iter().filter(|layer| case.faces[layer.0].opacity >= 1.0).map(|layer| (layer.0, layer.1)));
+        opaque.extend(
+            self.layers.iter().filter(|layer| case.faces[layer.0].opacity >= 1.0).map(|layer| (layer.0, layer.1)),
+        );
         opaque.sort_by(|a, b| b.1.total_cmp(&a.1));
         self.front = opaque.get(1).or_else(|| opaque.first()).copied();
         self.kept = self.front.map(|(_, depth)| depth);
@@ -88,7 +90,8 @@ impl Stack {
     /// What is there when each face is mixed with what was drawn before it.
     fn at_once(&self, case: &Case, rules: &Rules, empty: [f64; 3], color: impl Fn(usize) -> [f64; 3]) -> [f64; 3] {
         let is_tested = rules.blending != Blending::AtOnceUntested;
-        let is_mixed = |&&(index, _, wins): &&(usize, f64, bool)| wins || (!is_tested && case.faces[index].opacity < 1.0);
+        let is_mixed =
+            |&&(index, _, wins): &&(usize, f64, bool)| wins || (!is_tested && case.faces[index].opacity < 1.0);
         self.layers.iter().filter(is_mixed).fold(empty, |shown, &(index, ..)| {
             let (own, opacity) = (color(index), case.faces[index].opacity);
             rules.mixed.of(own, shown, opacity)
@@ -171,8 +174,14 @@ pub(super) fn depth(face: &Face, rules: &Rules, (sample, samples): ((i32, i32), 
         return clamped(face.inverse_w_at(pixels::place(sample, samples as i32, rules.depth_at)));
     }
     let sample = if rules.block.of_depth { rules.block.of(face, sample) } else { sample };
-    let at = rules.depth_point.of(point(sample, rules));
-    let plane = || if rules.clamps || rules.depth_point != DepthPoint::Own { clamped(face.inverse_w_at(at)) } else { face.inverse_w_at(at) };
+    let at = rules.depth_origin.of(face, rules.depth_point.of(point(sample, rules)));
+    let plane = || {
+        if rules.clamps || rules.depth_point != DepthPoint::Own {
+            clamped(face.inverse_w_at(at))
+        } else {
+            face.inverse_w_at(at)
+        }
+    };
     match rules.depth {
         DepthFrom::Plane => plane(),
         DepthFrom::Corner(number) => face.inverse_w_at(face.corners[number.min(face.corners.len() - 1)]),

@@ -87,7 +87,7 @@ pub fn range(_: u64) -> Vec<Case> {
         Case::new("far away", (12, 10), at([1.0 / 4096.0, 1.0 / 1024.0, 1.0 / 2048.0])),
         Case::new("near", (12, 10), at([16.0, 64.0, 32.0])),
         Case::new("near the eye and far away", (12, 10), at([0.03125, 2.5, 1.5])),
-        Case::new("ladder", (12, 8), ladder()),
+        Case::new("ladder", (12, 12), ladder()),
     ]
 }
 
@@ -98,13 +98,13 @@ fn ladder() -> Vec<Face> {
         let corners = rectangle(x + 0.25, y + 0.25, x + 1.75, y + 1.75);
         let depth = 0.1 + (f64::from(number) * 0.618_034).fract() * 0.55;
         // From a quarter to 2^-14.
-        let gap = (2.0_f64).powi(-(number as i32 / 2) - 2) * if number % 2 == 0 { 1.0 } else { 0.75 };
+        let gap = (2.0_f64).powi(-(number as i32 / 3) - 2) * [1.0, 0.8125, 0.625][number as usize % 3];
         let [first, second] = [depth, depth + gap].map(|depth| (depth * 65_536.0).round() / 65_536.0);
         let face = |depth: f64, color: u32| Face::flat(&corners, depth, tint(color as usize));
         let (near, far) = (face(second, 2 * number + 1), face(first, 2 * number));
         if number % 4 == 3 { [near, far] } else { [far, near] }
     };
-    (0..24).flat_map(pair).collect()
+    (0..36).flat_map(pair).collect()
 }
 
 /// Glass before, behind and between opaque faces.

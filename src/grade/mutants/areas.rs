@@ -2,8 +2,8 @@
 
 use super::{Mutant, drawing, each_of, each_with, family, mutant};
 use crate::grade::rules::{
-    Address, Block, BlockEnd, BlockStart, Blocks, Border, Bounds, BoundsBy, Fill, LineSpans, Memory, Pieces, Place, Quarters, Rules, Shape, Slack,
-    Stencil, Ties, Turned,
+    Address, Block, BlockEnd, BlockStart, Blocks, Border, Bounds, BoundsBy, BoundsOf, Fill, LineSpans, Memory, Pieces,
+    Place, Quarters, Rules, Shape, Slack, Stencil, Ties, Turned,
 };
 use crate::grade::scan::{Edges, Odd, Pairs, Scan, Slope};
 
@@ -40,8 +40,7 @@ const FAN_SHORT: [&str; 4] = [
 ];
 const TURNED: [&str; 4] =
     ["x and y exchanged", "Rows and columns are exchanged.", "A pixel stands at y * width + x.", PAGE];
-const UPSIDE: [&str; 4] =
-    ["upside down", "The picture is upside down.", "y runs down: row 0 is the uppermost.", PAGE];
+const UPSIDE: [&str; 4] = ["upside down", "The picture is upside down.", "y runs down: row 0 is the uppermost.", PAGE];
 const MIRRORED: [&str; 4] =
     ["mirrored", "Left and right are exchanged.", "x runs to the right: column 0 is the leftmost.", PAGE];
 const HALF: [&str; 4] =
@@ -111,7 +110,7 @@ fn ask_at(rules: &mut Rules, at: (f64, f64)) {
 }
 
 fn by(rules: &mut Rules, by: BoundsBy) {
-    rules.bounds = Bounds { lost: [0; 4], by };
+    rules.bounds = Bounds { lost: [0; 4], by, of: BoundsOf::All };
 }
 
 const PAIRS: Blocks = Blocks { side: 2, across_only: false, start: BlockStart::Floor, end: BlockEnd::Floor };
@@ -199,7 +198,9 @@ fn followed() -> Vec<Mutant> {
         mutant(WHOLE, |rules| rules.corners = Rounding::Down),
         mutant(WHOLE, |rules| rules.corners = Rounding::Nearest),
         mutant(WHOLE, |rules| rules.corners = Rounding::Up),
-        mutant(WHOLE, |rules| (rules.corners, rules.cover_at, rules.value_at) = (Rounding::Down, (0.0, 0.0), (0.0, 0.0))),
+        mutant(WHOLE, |rules| {
+            (rules.corners, rules.cover_at, rules.value_at) = (Rounding::Down, (0.0, 0.0), (0.0, 0.0))
+        }),
         mutant(WHOLE, |rules| (rules.corners, rules.ties) = (Rounding::Down, Ties::All)),
         mutant(WHOLE, |rules| (rules.corners, rules.ties) = (Rounding::Nearest, Ties::All)),
     ];
@@ -243,12 +244,18 @@ fn shifted() -> Vec<Mutant> {
 
 /// Mistakes of an edge table, with what follows where a span runs over the side of the picture, or stays where it should be.
 fn scans() -> Vec<Mutant> {
-    use super::spans::{MUTANTS, NARROW, SHORT, FORGOTTEN};
+    use super::spans::{FORGOTTEN, MUTANTS, NARROW, OPEN, SHORT, TWICE};
     let own = [
         mutant(FORGOTTEN, |rules| scan(rules, |scan| scan.slope = Slope::FirstRow)),
         mutant(SHORT, |rules| scan(rules, |scan| scan.edges = Edges::ShortLost)),
         mutant(SHORT, |rules| scan(rules, |scan| (scan.edges, scan.odd) = (Edges::ShortLost, Odd::RunsOn))),
         mutant(SHORT, |rules| scan(rules, |scan| (scan.edges, scan.odd) = (Edges::ShortLost, Odd::FromLeft))),
+        mutant(OPEN, |rules| scan(rules, |scan| scan.edges = Edges::ClosedToSecond)),
+        mutant(OPEN, |rules| scan(rules, |scan| (scan.edges, scan.odd) = (Edges::ClosedToSecond, Odd::RunsOn))),
+        mutant(OPEN, |rules| scan(rules, |scan| (scan.edges, scan.odd) = (Edges::ClosedToSecond, Odd::FromLeft))),
+        mutant(OPEN, |rules| scan(rules, |scan| scan.edges = Edges::FromFirst)),
+        mutant(TWICE, |rules| scan(rules, |scan| scan.pairs = Pairs::Once)),
+        mutant(TWICE, |rules| scan(rules, |scan| (scan.pairs, scan.odd) = (Pairs::Once, Odd::RunsOn))),
         mutant(NARROW, |rules| scan(rules, |scan| scan.edges = Edges::NarrowLost)),
         mutant(NARROW, |rules| scan(rules, |scan| (scan.edges, scan.odd) = (Edges::NarrowLost, Odd::RunsOn))),
     ];
@@ -256,9 +263,7 @@ fn scans() -> Vec<Mutant> {
     let spills: fn(&mut Rules) = |rules| scan(rules, |scan| scan.spills = true);
     let rightly: fn(&mut Rules) = |rules| scan(rules, |scan| scan.pairs = Pairs::Rightly);
     let both: fn(&mut Rules) = |rules| scan(rules, |scan| (scan.pairs, scan.spills) = (Pairs::Rightly, true));
-    let sloped = |mutant: &&Mutant| {
-        matches!(mutant.applied_to(&Rules::default()).fill, Fill::Scan(scan) if scan.slope != Slope::Exact || scan.ahead != 0)
-    };
+    let sloped = |mutant: &&Mutant| matches!(mutant.applied_to(&Rules::default()).fill, Fill::Scan(scan) if scan.slope != Slope::Exact || scan.ahead != 0);
     let sloped: Vec<Mutant> = all.iter().filter(sloped).copied().collect();
     [own.to_vec(), each_with(&all, &[spills]), each_with(&sloped, &[rightly, both])].concat()
 }
@@ -275,6 +280,7 @@ fn events() -> Vec<Mutant> {
         mutant(BEHIND, |rules| rules.line = LineSpans::NothingBehind),
         mutant(BEHIND, |rules| rules.line = LineSpans::NothingUntilNext),
         mutant(UNSORTED, |rules| rules.line = LineSpans::ListOrder),
+        mutant(UNSORTED, |rules| rules.line = LineSpans::ListOrderOnward),
         mutant(LATEST, |rules| rules.line = LineSpans::LatestBegun),
     ]
 }

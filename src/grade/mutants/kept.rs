@@ -21,7 +21,7 @@ const KEPT: [&str; 4] = [
 ];
 const ADDRESS: [&str; 4] = [
     "depth memory addressed wrongly",
-    "Samples share a place in the depth memory: it is addressed with another row length, or has too few places.",
+    "Depth is read or written at the place of another sample: with another row length, at a neighbor, or where there are too few places.",
     "The depth of a sample stands at y * width + x.",
     PAGE,
 ];
@@ -61,12 +61,8 @@ const MARGIN: [&str; 4] = [
     "Compare with >, without a margin: depths are decided by the last digit.",
     PAGE,
 ];
-const TEXT: [&str; 4] = [
-    "distances sorted as text",
-    "Distances are compared as texts: 100 comes before 20.",
-    "Compare numbers.",
-    PAGE,
-];
+const TEXT: [&str; 4] =
+    ["distances sorted as text", "Distances are compared as texts: 100 comes before 20.", "Compare numbers.", PAGE];
 const FAR: [&str; 4] = [
     "far wins",
     "The farther polygon hides the nearer: depth is compared the wrong way.",
@@ -94,7 +90,18 @@ const GLASS: [&str; 4] = [
 
 /// All of them.
 pub(super) fn all() -> Vec<Mutant> {
-    [places(), memory(), addresses(), one_depth(), steps(), orders(), sums(), glass()].concat()
+    [of_depth(), anywhere()].concat()
+}
+
+/// Those that are tried where depth is what is asked for; elsewhere too little shows to tell them apart.
+pub(super) fn of_depth() -> Vec<Mutant> {
+    [places(), memory(), addresses(), one_depth(), steps(), glass()].concat()
+}
+
+/// Those that are tried in all labs.
+pub(super) fn anywhere() -> Vec<Mutant> {
+    let pixel = mutant(PIXEL, |rules| depth_at(rules, Address::Pixel));
+    [vec![pixel], orders(), sums()].concat()
 }
 
 fn places() -> Vec<Mutant> {
@@ -116,12 +123,9 @@ fn memory() -> Vec<Mutant> {
         mutant(KEPT, |rules| rules.kept = Kept::Latest),
         mutant(KEPT, |rules| rules.kept = Kept::Sum),
         mutant(KEPT, |rules| rules.kept = Kept::Farthest),
-        mutant(PIXEL, |rules| depth_at(rules, Address::Pixel)),
         mutant(FEW, |rules| rules.most_at_sample = 2),
         mutant(FEW, |rules| rules.most_at_sample = 3),
         mutant(SECOND, |rules| rules.front = Front::Second),
-        mutant(TEXT, |rules| rules.depth = DepthFrom::AsText(1.0)),
-        mutant(TEXT, |rules| rules.depth = DepthFrom::AsText(10.0)),
         mutant(TEXT, |rules| rules.depth = DepthFrom::AsText(100.0)),
     ]
 }
@@ -142,7 +146,14 @@ fn addresses() -> Vec<Mutant> {
         |rules| rules.memory.walk = Walk::Blocks(2),
         |rules| rules.memory.walk = Walk::BlocksOfBounds(2),
     ];
-    each_with(&addresses, &walks)
+    let read: [fn(&mut Rules, f64); 2] =
+        [|rules, by| rules.memory.read_beside = (by as i32, 0), |rules, by| rules.memory.read_beside = (0, by as i32)];
+    let written: [fn(&mut Rules, f64); 2] = [
+        |rules, by| rules.memory.written_beside = (by as i32, 0),
+        |rules, by| rules.memory.written_beside = (0, by as i32),
+    ];
+    let beside = read.iter().chain(&written).flat_map(|change| family(ADDRESS, &[-1.0, 1.0], *change));
+    beside.chain(each_with(&addresses, &walks)).collect()
 }
 
 const PIXEL: [&str; 4] = [
@@ -184,7 +195,8 @@ fn divides_all(rules: &mut Rules) {
 }
 
 fn steps() -> Vec<Mutant> {
-    let numbers = [4.0, 8.0, 10.0, 16.0, 20.0, 32.0, 50.0, 64.0, 100.0, 127.0, 128.0, 200.0, 255.0, 256.0, 500.0, 512.0];
+    let numbers =
+        [4.0, 8.0, 10.0, 16.0, 20.0, 32.0, 50.0, 64.0, 100.0, 127.0, 128.0, 200.0, 255.0, 256.0, 500.0, 512.0];
     let fine = [1000.0, 1024.0, 4096.0, 10_000.0, 32_768.0, 65_535.0, 65_536.0];
     let all = [numbers.as_slice(), &fine].concat();
     let cut = family(STEPS, &all, |rules, steps| rules.depth = DepthFrom::Steps(steps));
@@ -213,7 +225,9 @@ fn orders() -> Vec<Mutant> {
         mutant(FIRST, |rules| rules.front = Front::First),
         mutant(FAR, |rules| (rules.front, rules.later_wins_ties) = (Front::Farthest, true)),
         mutant(FAR, |rules| (rules.front, rules.depth) = (Front::Farthest, DepthFrom::LinearW)),
-        mutant(FAR, |rules| (rules.front, rules.depth, rules.later_wins_ties) = (Front::Farthest, DepthFrom::LinearW, true)),
+        mutant(FAR, |rules| {
+            (rules.front, rules.depth, rules.later_wins_ties) = (Front::Farthest, DepthFrom::LinearW, true)
+        }),
     ];
     let glass: [fn(&mut Rules); 11] = [
         |rules| rules.blending = Blending::EverywhereSorted,
