@@ -21,12 +21,16 @@ pub fn order(_: u64) -> Vec<Case> {
         ];
         order.map(|index| faces[index].clone()).to_vec()
     };
+    let four = [(0.25, 0.2), (1.25, 0.4), (2.25, 0.6), (3.25, 0.8)].into_iter().enumerate();
+    let four = four.map(|(number, (a, depth))| Face::flat(&rectangle(a, a, a + 6.5, a + 5.5), depth, tint(number)));
     vec![
         Case::new("near first", (11, 10), pair(0.75, 0.25)),
         Case::new("far first", (11, 10), pair(0.25, 0.75)),
         Case::new("near, middle, far", (11, 11), three([2, 1, 0])),
         Case::new("middle, near, far", (11, 11), three([1, 2, 0])),
         Case::new("far, near, middle", (11, 11), three([0, 2, 1])),
+        Case::new("near, far, middle", (11, 11), three([2, 0, 1])),
+        Case::new("four, the nearest last", (11, 10), four.collect()),
     ]
 }
 

@@ -58,7 +58,7 @@ pub(super) fn all() -> Vec<Mutant> {
     ];
     let thin = family(SMALL, &[0.25, 0.5, 1.0, 1.5, 2.0], |rules, least| rules.dropped = Dropped::Thin(least));
     let small = family(SMALL, &[0.25, 0.5, 1.0, 1.5, 2.0], |rules, least| rules.dropped = Dropped::Small(least));
-    let areas = family(SMALL, &[0.01, 0.1, 0.25, 0.75, 4.0], |rules, least| rules.least_area = least);
+    let areas = family(SMALL, &[0.1, 0.25, 0.75, 4.0], |rules, least| rules.least_area = least);
     let large = family(LARGE, &[16.0, 32.0, 64.0, 100.0], |rules, most| rules.dropped = Dropped::Large(most));
     let first = family(SHORT_FIRST, &[0.0, 2.0], |rules, side| of_side(rules, BoundsOf::SideOfFirst(side as usize)));
     let second = family(SHORT_FIRST, &[0.0, 2.0], |rules, side| of_side(rules, BoundsOf::SideOfSecond(side as usize)));
