@@ -176,11 +176,32 @@ pub struct Bounds {
     pub lost: [i32; 4],
     /// What the bounds are.
     pub by: BoundsBy,
+    /// The corners that they are taken from.
+    pub of: BoundsOf,
+}
+
+/// The corners that bounds are taken from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BoundsOf {
+    /// All.
+    All,
+    /// The first three.
+    FirstThree,
+    /// The first and the third: right for some rectangles.
+    FirstAndThird,
+    /// All but the last.
+    AllButLast,
+    /// All, but this side (left, right, top, bottom) is that of the first corner.
+    SideOfFirst(usize),
+    /// The same, of the last corner.
+    SideOfLast(usize),
+    /// The same, of the second corner.
+    SideOfSecond(usize),
 }
 
 impl Bounds {
     /// All of them.
-    pub const WHOLE: Bounds = Bounds { lost: [0; 4], by: BoundsBy::Floor };
+    pub const WHOLE: Bounds = Bounds { lost: [0; 4], by: BoundsBy::Floor, of: BoundsOf::All };
 }
 
 /// What the bounds of a polygon are.

@@ -7,7 +7,7 @@
 
 use super::quarters;
 use super::rules::{
-    BlockEnd, BlockStart, Blocks, Bounds, BoundsBy, Fill, Pieces, Rounding, Rules, Slack, Ties, Winding,
+    BlockEnd, BlockStart, Blocks, Bounds, BoundsBy, BoundsOf, Fill, Pieces, Rounding, Rules, Slack, Ties, Winding,
 };
 use super::scan;
 use crate::math::edges;
@@ -100,7 +100,7 @@ impl Piece {
             Fill::Scan(scan) if is_drawn => scan::spans(&corners, scan, size),
             _ => Vec::new(),
         };
-        let window = window((low, high), rules.bounds, size);
+        let window = window(bounds_of(&corners, rules.bounds.of, (low, high)), rules.bounds, size);
         Piece { is_drawn, corners, low, high, window, spans, size }
     }
 
@@ -178,6 +178,32 @@ impl Piece {
             let is_owned = (b.1 - a.1) * turn < 0.0 || (a.1 == b.1 && (b.0 - a.0) * turn > 0.0);
             value > 0.0 || (value == 0.0 && is_owned)
         })
+    }
+}
+
+/// Least and greatest coordinates, as they are found.
+fn bounds_of(corners: &[Point], of: BoundsOf, (low, high): (Point, Point)) -> (Point, Point) {
+    let among = |corners: &[Point]| {
+        let all = |pick: fn(f64, f64) -> f64, start: f64| {
+            corners.iter().fold((start, start), |(x, y), corner| (pick(x, corner.0), pick(y, corner.1)))
+        };
+        (all(f64::min, f64::INFINITY), all(f64::max, f64::NEG_INFINITY))
+    };
+    let with_side = |side: usize, corner: Point| match side {
+        0 => ((corner.0, low.1), high),
+        1 => (low, (corner.0, high.1)),
+        2 => ((low.0, corner.1), high),
+        _ => (low, (high.0, corner.1)),
+    };
+    let last = corners.len() - 1;
+    match of {
+        BoundsOf::All => (low, high),
+        BoundsOf::FirstThree => among(&corners[..3]),
+        BoundsOf::FirstAndThird => (corners[0], corners[2]),
+        BoundsOf::AllButLast => among(&corners[..last]),
+        BoundsOf::SideOfFirst(side) => with_side(side, corners[0]),
+        BoundsOf::SideOfSecond(side) => with_side(side, corners[1]),
+        BoundsOf::SideOfLast(side) => with_side(side, corners[last]),
     }
 }
 

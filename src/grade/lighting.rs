@@ -27,6 +27,8 @@ pub(super) fn light(
     let spread = match rules.values {
         Interpolation::Corner(_)
         | Interpolation::Mean
+        | Interpolation::Least
+        | Interpolation::Greatest
         | Interpolation::Middle
         | Interpolation::NearestToEye
         | Interpolation::Heaviest

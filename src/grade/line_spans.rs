@@ -45,8 +45,8 @@ pub(super) fn stacks<I: Iterator<Item = usize>>(
 
 /// The faces that every sample is thought to have, where they come and go from event to event; `None` for other rules.
 fn events(case: &Case, rules: &Rules, y: i32, covering: &[Vec<usize>]) -> Option<Vec<Vec<usize>>> {
-    if rules.line == LineSpans::ListOrder {
-        return Some(in_list_order(case.faces.len(), covering));
+    if matches!(rules.line, LineSpans::ListOrder | LineSpans::ListOrderOnward) {
+        return Some(in_list_order(case.faces.len(), covering, rules.line == LineSpans::ListOrderOnward));
     }
     if !matches!(rules.line, LineSpans::NothingBehind | LineSpans::NothingUntilNext | LineSpans::LatestBegun) {
         return None;
@@ -76,7 +76,7 @@ fn events(case: &Case, rules: &Rules, y: i32, covering: &[Vec<usize>]) -> Option
 }
 
 /// Spans between events that are in the order of the list: what runs backward is empty.
-fn in_list_order(count: usize, covering: &[Vec<usize>]) -> Vec<Vec<usize>> {
+fn in_list_order(count: usize, covering: &[Vec<usize>], is_onward: bool) -> Vec<Vec<usize>> {
     let has = |x: usize, face: usize| covering.get(x).is_some_and(|faces| faces.contains(&face));
     let mut events: Vec<(usize, usize)> = Vec::new();
     for face in 0..count {
@@ -84,13 +84,15 @@ fn in_list_order(count: usize, covering: &[Vec<usize>]) -> Vec<Vec<usize>> {
         events.extend(changes.map(|x| (x, face)));
     }
     let (mut open, mut seen): (Vec<usize>, Vec<Vec<usize>>) = (Vec::new(), vec![Vec::new(); covering.len()]);
+    let mut drawn = 0;
     for (number, &(x, face)) in events.iter().enumerate() {
         match open.iter().position(|&other| other == face) {
             Some(at) => drop(open.remove(at)),
             None => open.push(face),
         }
         let end = events.get(number + 1).map_or(x, |next| next.0);
-        for faces in seen.iter_mut().take(end).skip(x) {
+        drawn = drawn.max(x);
+        for faces in seen.iter_mut().take(end).skip(if is_onward { drawn } else { x }) {
             faces.clone_from(&open);
         }
     }

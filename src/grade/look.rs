@@ -147,7 +147,7 @@ fn turned(drawn: &Picture, right: &Picture, (x, y): (usize, usize)) -> Option<(M
         .count()
     };
     let wrong = mismatches(None);
-    mutants::all().into_iter().find_map(|mutant| {
+    mutants::usual().into_iter().find_map(|mutant| {
         let place = mutant.applied_to(&Rules::default()).place;
         let from = turn(place, (x, y))?;
         let explains = are_alike(drawn.pixel(x, y), right.pixel(from.0, from.1));
@@ -178,7 +178,7 @@ fn around(
     };
     let wrong = judged.iter().filter(|&&(x, y, index)| !honest.allows(index, drawn.pixel(x, y))).count();
     let mut scores: Vec<(usize, Mutant)> = Vec::new();
-    for mutant in mutants::all().into_iter().filter(is_local) {
+    for mutant in mutants::usual().into_iter().filter(is_local) {
         if let Some(left) = left(&mutant.applied_to(&Rules::default())) {
             scores.push((left, mutant));
         }

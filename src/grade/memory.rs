@@ -40,7 +40,9 @@ pub(super) fn paint(
     (empty, color): (Sample, Color<'_>),
 ) -> Vec<Sample> {
     let (size, side) = ((case.width as i32, case.height as i32), case.samples as i32);
-    let Memory { depth_at, color_at, walk } = rules.memory;
+    let Memory { depth_at, color_at, walk, read_beside, written_beside } = rules.memory;
+    let beside =
+        |(x, y): (i32, i32), by: (i32, i32)| ((x + by.0).clamp(0, size.0 - 1), (y + by.1).clamp(0, size.1 - 1));
     let mut depths: BTreeMap<i32, f64> = BTreeMap::new();
     let mut shown = vec![empty; (case.width * case.height) as usize];
     let is_glass = |index: usize| case.faces[index].opacity < 1.0 && rules.blending != Blending::Ignored;
@@ -49,10 +51,11 @@ pub(super) fn paint(
         walk.sort(&case.faces[index], &mut samples);
         for sample in samples {
             let own = depth(&case.faces[index], rules, (sample, case.samples)).min(rules.capped);
-            let place = depth_at.of(sample, size, side);
-            let kept = depths.get(&place).copied();
+            let kept = depths.get(&depth_at.of(beside(sample, read_beside), size, side)).copied();
+            let place = depth_at.of(beside(sample, written_beside), size, side);
             let is_shown = wins(rules, kept, own);
-            depths.extend(rules.kept.after(kept, (own, is_shown)).map(|depth| (place, depth)));
+            let old = depths.get(&place).copied();
+            depths.extend(rules.kept.after(old, (own, is_shown)).map(|depth| (place, depth)));
             if is_shown && let Some(at) = shown.get_mut(color_at.of(sample, size, side) as usize) {
                 *at = Stack::of_front(index, own).shown(case, rules, empty, |index| color(index, sample));
             }

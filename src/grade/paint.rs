@@ -203,7 +203,7 @@ fn mixed(case: &Case, rules: &Rules, (x, y): (usize, usize), later_counts: bool)
 fn face_color(case: &Case, index: usize, corners: &Corners, rules: &Rules, sample: (i32, i32)) -> [f64; 3] {
     let face = &case.faces[index];
     let place = if rules.block.of_values { rules.block.of(face, sample) } else { sample };
-    let at = point(place, rules);
+    let at = rules.origin.of(face, point(place, rules));
     if let Some(lamp) = &case.lamp {
         return lighting::light((case, lamp), (face, corners), rules, at);
     }
@@ -213,7 +213,12 @@ fn face_color(case: &Case, index: usize, corners: &Corners, rules: &Rules, sampl
         return corners.values[0];
     }
     let kept = rules.divides_by_kept.then(|| depth(face, rules, (sample, case.samples)));
-    values::interpolated(face, corners, rules, (at, kept))
+    let values = values::interpolated(face, corners, rules, (at, kept));
+    if rules.value_channels == [true; 3] {
+        return values;
+    }
+    let right = face.values_at(at);
+    [0, 1, 2].map(|channel: usize| if rules.value_channels[channel] { values[channel] } else { right[channel] })
 }
 
 /// Whether values that are the same at all corners stay so.

@@ -5,6 +5,7 @@
 //! Space: samples.
 
 use super::case::Face;
+use super::summed::span;
 
 /// How a polygon is changed before it is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -108,6 +109,32 @@ impl DepthPoint {
     }
 }
 
+/// What x and y are counted from, where a plane is evaluated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Origin {
+    /// The picture's upper left corner.
+    Picture,
+    /// x from the first sample of the span.
+    Span,
+    /// Both from the upper left sample of the polygon's bounds.
+    Bounds,
+    /// Both from the first corner.
+    FirstCorner,
+}
+
+impl Origin {
+    /// A point of the picture as it is counted.
+    pub(super) fn of(self, face: &Face, (x, y): (f64, f64)) -> (f64, f64) {
+        let least = |pick: fn(&(f64, f64)) -> f64| face.corners.iter().map(pick).fold(f64::INFINITY, f64::min).floor();
+        match self {
+            Origin::Picture => (x, y),
+            Origin::Span => (x - span(face, (x, y)).map_or(0.0, |span| span.0.floor()), y),
+            Origin::Bounds => (x - least(|corner| corner.0), y - least(|corner| corner.1)),
+            Origin::FirstCorner => (x - face.corners[0].0, y - face.corners[0].1),
+        }
+    }
+}
+
 /// Which depth is kept at a sample for those that come later.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kept {
@@ -158,6 +185,10 @@ pub struct Memory {
     pub color_at: Address,
     /// The order in which samples of a polygon are drawn.
     pub walk: Walk,
+    /// Columns and rows from a sample to that whose depth is looked up.
+    pub read_beside: (i32, i32),
+    /// To that whose depth is written.
+    pub written_beside: (i32, i32),
 }
 
 /// The order in which samples of a polygon are drawn.
@@ -193,7 +224,13 @@ impl Walk {
 
 impl Memory {
     /// Each at its own place.
-    pub const RIGHT: Memory = Memory { depth_at: Address::Own, color_at: Address::Own, walk: Walk::Rows };
+    pub const RIGHT: Memory = Memory {
+        depth_at: Address::Own,
+        color_at: Address::Own,
+        walk: Walk::Rows,
+        read_beside: (0, 0),
+        written_beside: (0, 0),
+    };
 }
 
 /// The address of a sample.

@@ -5,7 +5,8 @@
 //! later pictures are held against: one slip does not fail everything after it.
 
 pub use super::area_rules::{
-    BlockEnd, BlockStart, Blocks, Border, Bounds, BoundsBy, Fill, Pieces, Place, Quarters, Rounding, Ties, Winding,
+    BlockEnd, BlockStart, Blocks, Border, Bounds, BoundsBy, BoundsOf, Fill, Pieces, Place, Quarters, Rounding, Ties,
+    Winding,
 };
 use super::light_rules::LightRules;
 use super::lines::rule::Lines;
@@ -13,7 +14,7 @@ pub use super::listed::{Blending, Levels};
 use super::listed::{Listed, Mixed, Tone};
 pub use super::pixel_rules::{Count, Part, PixelFrom, SampleAt};
 pub use super::program_rules::{
-    Address, Block, DepthPoint, Dropped, Kept, Memory, Shape, Slack, Stencil, Turned, Walk,
+    Address, Block, DepthPoint, Dropped, Kept, Memory, Origin, Shape, Slack, Stencil, Turned, Walk,
 };
 use super::runs::RunRule;
 pub use super::summed::Summed;
@@ -61,6 +62,12 @@ pub struct Rules {
     pub depth: DepthFrom,
     /// Where it is taken.
     pub depth_point: DepthPoint,
+    /// What x and y of values are counted from.
+    pub origin: Origin,
+    /// The same of depth.
+    pub depth_origin: Origin,
+    /// The channels that the rule of values is about; the others are right.
+    pub value_channels: [bool; 3],
     /// Which depth is kept for those that come later.
     pub kept: Kept,
     /// Where depth and color of a sample are kept.
@@ -158,6 +165,8 @@ pub enum LineSpans {
     NothingUntilNext,
     /// Beginnings and ends are taken face by face, not from left to right.
     ListOrder,
+    /// The same, and what lies left of an event that was taken before is not drawn again.
+    ListOrderOnward,
     /// The face that begins last shows.
     LatestBegun,
 }
@@ -251,6 +260,10 @@ pub enum Interpolation {
     Corner(usize),
     /// The value of the corner nearest to the eye.
     NearestToEye,
+    /// Each channel's least value of three corners.
+    Least,
+    /// Each channel's greatest.
+    Greatest,
     /// The mean of three corners.
     Mean,
     /// The value at the middle of three corners.
@@ -352,6 +365,9 @@ impl Default for Rules {
             front: Front::Nearest,
             depth: DepthFrom::Plane,
             depth_point: DepthPoint::Own,
+            origin: Origin::Picture,
+            depth_origin: Origin::Picture,
+            value_channels: [true; 3],
             kept: Kept::Shown,
             memory: Memory::RIGHT,
             most_at_sample: usize::MAX,

@@ -140,6 +140,10 @@ pub enum Edges {
     UpwardLost,
     /// Those that run downward.
     DownwardLost,
+    /// None; but the one that closes the outline leads to the second corner.
+    ClosedToSecond,
+    /// None; but all begin in the first corner.
+    FromFirst,
     /// Those that are less than a row high.
     ShortLost,
     /// Those that are less than a column wide, and not upright.
@@ -161,6 +165,8 @@ pub enum Pairs {
     LastOnly,
     /// Every crossing with the next.
     Overlapping,
+    /// From left to right, and of those at one place one.
+    Once,
     /// In the order in which they should be.
     Rightly,
 }
@@ -236,6 +242,10 @@ pub(super) fn spans(corners: &[Point], scan: &Scan, (width, height): (i32, i32))
                 });
                 crossings = order.into_iter().map(x).collect();
             }
+            Pairs::Once => {
+                crossings.sort_by(f64::total_cmp);
+                crossings.dedup();
+            }
             _ => crossings.sort_by(f64::total_cmp),
         }
         if is_lost(y, &heights, scan.lost) { Vec::new() } else { paired(&crossings, scan, width) }
@@ -264,7 +274,7 @@ fn spill(rows: &mut [Vec<(i32, i32)>], width: i32) {
 fn edges(corners: &[Point], scan: &Scan) -> Vec<Edge> {
     let count = corners.len();
     let is_left_out = |number: usize, a: Point, b: Point| match scan.edges {
-        Edges::All => false,
+        Edges::All | Edges::ClosedToSecond | Edges::FromFirst => false,
         Edges::LastLost => number + 1 == count,
         Edges::FirstLost => number == 0,
         Edges::UpwardLost => a.1 > b.1,
@@ -273,6 +283,11 @@ fn edges(corners: &[Point], scan: &Scan) -> Vec<Edge> {
         Edges::NarrowLost => a.0 != b.0 && (a.0 - b.0).abs() < 1.0,
     };
     let edge = |(number, (&a, &b)): (usize, (&Point, &Point))| {
+        let (a, b) = match scan.edges {
+            Edges::ClosedToSecond if number + 1 == count => (a, corners[1]),
+            Edges::FromFirst => (corners[0], b),
+            _ => (a, b),
+        };
         let (top, bottom) = if a.1 <= b.1 { (a, b) } else { (b, a) };
         let (up, down) = (top.1 - scan.row, bottom.1 - scan.row);
         let at_or_below = |y: f64| y.ceil() as i32;
@@ -344,7 +359,7 @@ fn paired(crossings: &[f64], scan: &Scan, width: i32) -> Vec<(i32, i32)> {
         Pairs::FirstOnly => columns.truncate(2),
         Pairs::LastOnly => drop(columns.drain(..columns.len().saturating_sub(2))),
         Pairs::Overlapping => columns = columns.windows(2).flatten().copied().collect(),
-        Pairs::Sorted | Pairs::Unsorted | Pairs::KeptOrder | Pairs::Rightly => {}
+        Pairs::Sorted | Pairs::Unsorted | Pairs::KeptOrder | Pairs::Rightly | Pairs::Once => {}
     }
     if columns.len() % 2 == 1 {
         match scan.odd {

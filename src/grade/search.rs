@@ -22,7 +22,9 @@ const MARGIN_OF_ALL: f64 = 0.01;
 const MOST_FAULTS: usize = 5;
 /// Part of the wrong pixels of an aspect that a later mistake explains at least: less than that is a rest of what was named before.
 const SHARE_OF_LATER: f64 = 0.25;
-/// Aspects that a mistake must explain whole to stand beside what nothing explains.
+/// Part of all wrong pixels that a mistake explains at least to stand beside what nothing explains.
+const SHARE_OF_ALL: f64 = 0.75;
+/// Aspects that it must explain whole, where it explains less.
 const WHOLE_ASPECTS: usize = 2;
 
 /// Pixels of all pictures that are not as the rules say.
@@ -133,14 +135,15 @@ impl<'a> Search<'a> {
         self.rules = rules;
     }
 
-    /// Whether a mistake explains several aspects to the last pixel, and makes nothing worse.
+    /// Whether a mistake explains several aspects to the last pixel, or most of everything, and makes nothing worse.
     fn is_solid(&self, fault: &Fault) -> bool {
-        let counts = |aspect: &AspectVerdict| {
-            (mismatches(&aspect.shots, &fault.rules.0), mismatches(&aspect.shots, &fault.rules.1))
-        };
-        let counts: Vec<_> = self.aspects.iter().map(counts).collect();
+        let count = |aspect: usize, rules: &Rules| self.mismatches(aspect, rules, usize::MAX).unwrap_or(usize::MAX);
+        let of = |aspect: usize| (count(aspect, &fault.rules.0), count(aspect, &fault.rules.1));
+        let counts: Vec<_> = (0..self.aspects.len()).map(of).collect();
         let whole = counts.iter().filter(|&&(before, after)| before > 0 && after == 0).count();
-        whole >= WHOLE_ASPECTS && counts.iter().all(|&(before, after)| after <= before)
+        let (before, after) = counts.iter().fold((0, 0), |sum, count| (sum.0 + count.0, sum.1 + count.1));
+        let is_most = after as f64 <= (1.0 - SHARE_OF_ALL) * before as f64;
+        (whole >= WHOLE_ASPECTS || is_most) && counts.iter().all(|&(before, after)| after <= before)
     }
 
     /// Names one mistake or gives one aspect up; false when there is nothing left to do.

@@ -174,7 +174,7 @@ pub(super) fn depth(face: &Face, rules: &Rules, (sample, samples): ((i32, i32), 
         return clamped(face.inverse_w_at(pixels::place(sample, samples as i32, rules.depth_at)));
     }
     let sample = if rules.block.of_depth { rules.block.of(face, sample) } else { sample };
-    let at = rules.depth_point.of(point(sample, rules));
+    let at = rules.depth_origin.of(face, rules.depth_point.of(point(sample, rules)));
     let plane = || {
         if rules.clamps || rules.depth_point != DepthPoint::Own {
             clamped(face.inverse_w_at(at))

@@ -39,7 +39,7 @@ impl Summed {
 }
 
 /// The first and the last center of the span around a point.
-fn span(face: &Face, (x, y): (f64, f64)) -> Option<(f64, f64)> {
+pub(super) fn span(face: &Face, (x, y): (f64, f64)) -> Option<(f64, f64)> {
     let crosses = |(a, b): (&(f64, f64), &(f64, f64))| {
         let (top, bottom) = if a.1 <= b.1 { (a, b) } else { (b, a) };
         let is_there = top.1 <= y && y < bottom.1;

@@ -196,6 +196,8 @@ fn spread(face: &Face, corners: &Corners, rules: &Rules, (at, kept): (Point, Opt
         }
         Interpolation::Corner(corner) => values[corner],
         Interpolation::NearestToEye => values[nearest(face)],
+        Interpolation::Least => [0, 1, 2].map(|number| limits([0, 1, 2].map(|corner| values[corner][number])).0),
+        Interpolation::Greatest => [0, 1, 2].map(|number| limits([0, 1, 2].map(|corner| values[corner][number])).1),
         Interpolation::Mean => times(weighted(&[1.0; 3], values), 1.0 / 3.0),
         Interpolation::Middle => face.values_at(middle(face)),
         Interpolation::Heaviest => values[heaviest(face, at)],

@@ -128,11 +128,14 @@ pub fn concave(_: u64) -> Vec<Case> {
         (6.25, 7.75),
         (0.25, 7.75),
     ];
+    // A notch from below ends, and one from above begins, on a row's center line.
+    let notched = [(1.25, 0.75), (4.25, 2.5), (11.75, 0.25), (11.25, 9.25), (7.25, 5.5), (1.75, 8.75)];
     let on_lines = [(4.25, 0.5), (7.25, 3.5), (11.25, 1.5), (9.25, 6.5), (4.75, 9.5), (0.75, 5.5)];
     vec![
         Case::new("two notches", (12, 12), vec![flat(&star, 0)]),
         Case::new("comb", (8, 9), vec![flat(&comb, 1)]),
         Case::new("corners on scan lines", (13, 11), vec![flat(&on_lines, 2)]),
+        Case::new("notches on scan lines", (13, 10), vec![flat(&notched, 4)]),
         Case::new(
             "diamond on a scan line",
             (13, 8),

@@ -21,12 +21,16 @@ pub fn order(_: u64) -> Vec<Case> {
         ];
         order.map(|index| faces[index].clone()).to_vec()
     };
+    let four = [(0.25, 0.2), (1.25, 0.4), (2.25, 0.6), (3.25, 0.8)].into_iter().enumerate();
+    let four = four.map(|(number, (a, depth))| Face::flat(&rectangle(a, a, a + 6.5, a + 5.5), depth, tint(number)));
     vec![
         Case::new("near first", (11, 10), pair(0.75, 0.25)),
         Case::new("far first", (11, 10), pair(0.25, 0.75)),
         Case::new("near, middle, far", (11, 11), three([2, 1, 0])),
         Case::new("middle, near, far", (11, 11), three([1, 2, 0])),
         Case::new("far, near, middle", (11, 11), three([0, 2, 1])),
+        Case::new("near, far, middle", (11, 11), three([2, 0, 1])),
+        Case::new("four, the nearest last", (11, 10), four.collect()),
     ]
 }
 
@@ -87,7 +91,7 @@ pub fn range(_: u64) -> Vec<Case> {
         Case::new("far away", (12, 10), at([1.0 / 4096.0, 1.0 / 1024.0, 1.0 / 2048.0])),
         Case::new("near", (12, 10), at([16.0, 64.0, 32.0])),
         Case::new("near the eye and far away", (12, 10), at([0.03125, 2.5, 1.5])),
-        Case::new("ladder", (12, 8), ladder()),
+        Case::new("ladder", (12, 12), ladder()),
     ]
 }
 
@@ -98,13 +102,13 @@ fn ladder() -> Vec<Face> {
         let corners = rectangle(x + 0.25, y + 0.25, x + 1.75, y + 1.75);
         let depth = 0.1 + (f64::from(number) * 0.618_034).fract() * 0.55;
         // From a quarter to 2^-14.
-        let gap = (2.0_f64).powi(-(number as i32 / 2) - 2) * if number % 2 == 0 { 1.0 } else { 0.75 };
+        let gap = (2.0_f64).powi(-(number as i32 / 3) - 2) * [1.0, 0.8125, 0.625][number as usize % 3];
         let [first, second] = [depth, depth + gap].map(|depth| (depth * 65_536.0).round() / 65_536.0);
         let face = |depth: f64, color: u32| Face::flat(&corners, depth, tint(color as usize));
         let (near, far) = (face(second, 2 * number + 1), face(first, 2 * number));
         if number % 4 == 3 { [near, far] } else { [far, near] }
     };
-    (0..24).flat_map(pair).collect()
+    (0..36).flat_map(pair).collect()
 }
 
 /// Glass before, behind and between opaque faces.

@@ -47,6 +47,7 @@ pub(super) fn step(line: Line, step: Step, mut show: impl FnMut((i64, i64))) {
         let row = (anchor.1 + (at - anchor.0) * slope + step.shift + lead).floor() as i64;
         let row = match step.slope {
             Slope::RowsGrow => first_row + (row - first_row).abs(),
+            Slope::RowsGrowFromStart => anchor.1.floor() as i64 + (row - anchor.1.floor() as i64).abs(),
             Slope::RowsFall => first_row - (row - first_row).abs(),
             _ => row,
         };
@@ -77,7 +78,7 @@ fn slope(start: Point, end: Point, rule: Slope) -> f64 {
     let or_level = |slope: f64| if slope.is_finite() { slope } else { 0.0 };
     let slope = dv / du;
     match rule {
-        Slope::Right | Slope::RowsGrow | Slope::RowsFall => slope,
+        Slope::Right | Slope::RowsGrow | Slope::RowsFall | Slope::RowsGrowFromStart => slope,
         Slope::Cut => slope.trunc(),
         Slope::Down => slope.floor(),
         Slope::Rounded => slope.round(),

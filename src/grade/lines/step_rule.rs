@@ -87,6 +87,8 @@ pub enum Slope {
     RowsGrow,
     /// Right, but they always fall.
     RowsFall,
+    /// Right, but rows always grow from that of the start on.
+    RowsGrowFromStart,
 }
 
 /// Where in a column the row is asked for.

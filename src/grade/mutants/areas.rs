@@ -2,8 +2,8 @@
 
 use super::{Mutant, drawing, each_of, each_with, family, mutant};
 use crate::grade::rules::{
-    Address, Block, BlockEnd, BlockStart, Blocks, Border, Bounds, BoundsBy, Fill, LineSpans, Memory, Pieces, Place,
-    Quarters, Rules, Shape, Slack, Stencil, Ties, Turned,
+    Address, Block, BlockEnd, BlockStart, Blocks, Border, Bounds, BoundsBy, BoundsOf, Fill, LineSpans, Memory, Pieces,
+    Place, Quarters, Rules, Shape, Slack, Stencil, Ties, Turned,
 };
 use crate::grade::scan::{Edges, Odd, Pairs, Scan, Slope};
 
@@ -110,7 +110,7 @@ fn ask_at(rules: &mut Rules, at: (f64, f64)) {
 }
 
 fn by(rules: &mut Rules, by: BoundsBy) {
-    rules.bounds = Bounds { lost: [0; 4], by };
+    rules.bounds = Bounds { lost: [0; 4], by, of: BoundsOf::All };
 }
 
 const PAIRS: Blocks = Blocks { side: 2, across_only: false, start: BlockStart::Floor, end: BlockEnd::Floor };
@@ -244,12 +244,18 @@ fn shifted() -> Vec<Mutant> {
 
 /// Mistakes of an edge table, with what follows where a span runs over the side of the picture, or stays where it should be.
 fn scans() -> Vec<Mutant> {
-    use super::spans::{FORGOTTEN, MUTANTS, NARROW, SHORT};
+    use super::spans::{FORGOTTEN, MUTANTS, NARROW, OPEN, SHORT, TWICE};
     let own = [
         mutant(FORGOTTEN, |rules| scan(rules, |scan| scan.slope = Slope::FirstRow)),
         mutant(SHORT, |rules| scan(rules, |scan| scan.edges = Edges::ShortLost)),
         mutant(SHORT, |rules| scan(rules, |scan| (scan.edges, scan.odd) = (Edges::ShortLost, Odd::RunsOn))),
         mutant(SHORT, |rules| scan(rules, |scan| (scan.edges, scan.odd) = (Edges::ShortLost, Odd::FromLeft))),
+        mutant(OPEN, |rules| scan(rules, |scan| scan.edges = Edges::ClosedToSecond)),
+        mutant(OPEN, |rules| scan(rules, |scan| (scan.edges, scan.odd) = (Edges::ClosedToSecond, Odd::RunsOn))),
+        mutant(OPEN, |rules| scan(rules, |scan| (scan.edges, scan.odd) = (Edges::ClosedToSecond, Odd::FromLeft))),
+        mutant(OPEN, |rules| scan(rules, |scan| scan.edges = Edges::FromFirst)),
+        mutant(TWICE, |rules| scan(rules, |scan| scan.pairs = Pairs::Once)),
+        mutant(TWICE, |rules| scan(rules, |scan| (scan.pairs, scan.odd) = (Pairs::Once, Odd::RunsOn))),
         mutant(NARROW, |rules| scan(rules, |scan| scan.edges = Edges::NarrowLost)),
         mutant(NARROW, |rules| scan(rules, |scan| (scan.edges, scan.odd) = (Edges::NarrowLost, Odd::RunsOn))),
     ];
@@ -274,6 +280,7 @@ fn events() -> Vec<Mutant> {
         mutant(BEHIND, |rules| rules.line = LineSpans::NothingBehind),
         mutant(BEHIND, |rules| rules.line = LineSpans::NothingUntilNext),
         mutant(UNSORTED, |rules| rules.line = LineSpans::ListOrder),
+        mutant(UNSORTED, |rules| rules.line = LineSpans::ListOrderOnward),
         mutant(LATEST, |rules| rules.line = LineSpans::LatestBegun),
     ]
 }

@@ -1,7 +1,7 @@
 //! Mistakes about which samples a polygon covers.
 
 use super::{Mutant, mutant};
-use crate::grade::rules::{Bounds, BoundsBy, Fill, Front, Pieces, Rounding, Ties, Winding};
+use crate::grade::rules::{Bounds, BoundsBy, BoundsOf, Fill, Front, Pieces, Rounding, Ties, Winding};
 
 const PAGE: &str = "docs/conventions.md";
 
@@ -97,15 +97,15 @@ const CONVEX: [&str; 4] = [
     "Count the edges left of the center, odd is inside; or ask for triangles: fn accepts() of the trait.",
     "docs/splitting.md",
 ];
-const SHORT: [&str; 4] = [
+pub(super) const SHORT: [&str; 4] = [
     "bounds too short",
-    "The last column or row of a polygon's bounds is not looked at (< instead of <=).",
+    "The last columns or rows of a polygon's bounds are not looked at (< instead of <=, or bounds of some of the corners).",
     "Look at every column from floor(least x) to floor(greatest x), both included, and at rows alike.",
     PAGE,
 ];
-const SHORT_FIRST: [&str; 4] = [
+pub(super) const SHORT_FIRST: [&str; 4] = [
     "bounds begin too late",
-    "The first column or row of a polygon's bounds is not looked at.",
+    "The first columns or rows of a polygon's bounds are not looked at.",
     "Look at every column from floor(least x) to floor(greatest x), both included, and at rows alike.",
     PAGE,
 ];
@@ -278,7 +278,7 @@ pub(super) const MUTANTS: &[Mutant] = &[
 const FAN: Pieces = Pieces::Fan { from: 0, skipped: 0, lost: 0, toggles: true, of_all: true };
 
 const fn bounds(lost: [i32; 4], by: BoundsBy) -> Bounds {
-    Bounds { lost, by }
+    Bounds { lost, by, of: BoundsOf::All }
 }
 
 const fn sides(left: bool, right: bool, top: bool, bottom: bool) -> Ties {

@@ -1,7 +1,8 @@
 //! Mistakes that leave polygons out for what they are, or rows and columns of them.
 
+use super::coverage::{SHORT, SHORT_FIRST};
 use super::{Mutant, family, mutant};
-use crate::grade::rules::{BoundsBy, Dropped};
+use crate::grade::rules::{Bounds, BoundsBy, BoundsOf, Dropped, Rules};
 
 const PAGE: &str = "docs/conventions.md";
 const MANY: [&str; 4] = [
@@ -57,9 +58,25 @@ pub(super) fn all() -> Vec<Mutant> {
     ];
     let thin = family(SMALL, &[0.25, 0.5, 1.0, 1.5, 2.0], |rules, least| rules.dropped = Dropped::Thin(least));
     let small = family(SMALL, &[0.25, 0.5, 1.0, 1.5, 2.0], |rules, least| rules.dropped = Dropped::Small(least));
-    let areas = family(SMALL, &[0.01, 0.1, 0.25, 0.75, 4.0], |rules, least| rules.least_area = least);
+    let areas = family(SMALL, &[0.1, 0.25, 0.75, 4.0], |rules, least| rules.least_area = least);
     let large = family(LARGE, &[16.0, 32.0, 64.0, 100.0], |rules, most| rules.dropped = Dropped::Large(most));
-    [own.to_vec(), thin, small, areas, large].concat()
+    let first = family(SHORT_FIRST, &[0.0, 2.0], |rules, side| of_side(rules, BoundsOf::SideOfFirst(side as usize)));
+    let second = family(SHORT_FIRST, &[0.0, 2.0], |rules, side| of_side(rules, BoundsOf::SideOfSecond(side as usize)));
+    let at_end = [
+        family(SHORT, &[1.0, 3.0], |rules, side| of_side(rules, BoundsOf::SideOfFirst(side as usize))),
+        family(SHORT, &[1.0, 3.0], |rules, side| of_side(rules, BoundsOf::SideOfSecond(side as usize))),
+        family(SHORT, &[1.0, 3.0], |rules, side| of_side(rules, BoundsOf::SideOfLast(side as usize))),
+    ];
+    let some = [
+        mutant(SHORT, |rules| of_side(rules, BoundsOf::FirstThree)),
+        mutant(SHORT, |rules| of_side(rules, BoundsOf::FirstAndThird)),
+        mutant(SHORT, |rules| of_side(rules, BoundsOf::AllButLast)),
+    ];
+    [first, second, at_end.concat(), some.to_vec(), own.to_vec(), thin, small, areas, large].concat()
+}
+
+fn of_side(rules: &mut Rules, of: BoundsOf) {
+    rules.bounds = Bounds { by: BoundsBy::Clipped, of, ..Bounds::WHOLE };
 }
 
 const CLIPPED: BoundsBy = BoundsBy::Clipped;

@@ -50,15 +50,20 @@ pub struct Mutant {
     pub beside: [Option<fn(&mut Rules)>; 3],
 }
 
-/// All of them.
+/// The usual ones: one rule, one change.
 #[must_use]
-pub fn all() -> Vec<Mutant> {
+pub fn usual() -> Vec<Mutant> {
     let first = [coverage::MUTANTS, depth::MUTANTS, color::MUTANTS, drawing::MUTANTS].concat();
     let covered = [pieces::MUTANTS, spans::MUTANTS, list::MUTANTS].concat();
     let values = [value::MUTANTS, carried::MUTANTS, run::MUTANTS].concat();
     let light = [light::MUTANTS, normal::MUTANTS, highlight::MUTANTS].concat();
-    let programs = [areas::all(), kept::all(), dropped::all(), shades::all()].concat();
-    [first, covered, values, light, pixel::MUTANTS.to_vec(), lines::all(), programs].concat()
+    [first, covered, values, light, pixel::MUTANTS.to_vec(), lines::all()].concat()
+}
+
+/// All of them: the usual ones first, then those that depend on how a program is built, or have a number in them.
+#[must_use]
+pub fn all() -> Vec<Mutant> {
+    [usual(), areas::all(), kept::all(), dropped::all(), shades::all()].concat()
 }
 
 /// Those that may change a picture of `lab`: where no case has lines, no mistake about lines needs to be tried; where no aspect is about
@@ -66,8 +71,9 @@ pub fn all() -> Vec<Mutant> {
 #[must_use]
 pub fn of(lab: &Lab) -> Vec<Mutant> {
     let has_lines = lab.aspects.iter().any(|aspect| (aspect.cases)(0).iter().any(|case| case.lines));
-    let mut mutants = all();
     let has_range = lab.aspects.iter().any(|aspect| aspect.name == "depth range");
+    let kept = if has_range { kept::all() } else { kept::anywhere() };
+    let mut mutants = [usual(), areas::all(), kept, dropped::all(), shades::all()].concat();
     // Where only lines are drawn, light is bright or dark: how dark says nothing about levels.
     mutants.retain(|mutant| !has_lines || mutant.is_about_lines() || (mutant.with.is_none() && mutant.is_plain()));
     mutants.retain(|mutant| (has_lines || !mutant.is_about_lines()) && (has_range || !mutant.is_about_range()));
@@ -154,7 +160,7 @@ pub(super) fn companions() -> &'static [fn(&mut Rules)] {
         |rules| rules.shape.is_fan = true,
         |rules| rules.shape.planes_follow = true,
         |rules| rules.pieces = Pieces::Fan { from: 0, skipped: 0, lost: 0, toggles: true, of_all: true },
-        |rules| rules.bounds = Bounds { lost: [0; 4], by: BoundsBy::Clipped },
+        |rules| rules.bounds = Bounds { by: BoundsBy::Clipped, ..Bounds::WHOLE },
         |rules| rules.least_area = 1e-9,
         |rules| rules.blending = Blending::AtOnce,
         |rules| rules.blending = Blending::AtEnd,

@@ -1,7 +1,7 @@
 //! Mistakes about channels and levels of the polygons alone, in any steps; and values that one sample decides for several.
 
 use super::{Mutant, each_with, family, mutant};
-use crate::grade::rules::{Block, Levels, PixelFrom, Rules};
+use crate::grade::rules::{Block, Levels, Origin, PixelFrom, Rules};
 
 const PAGE: &str = "docs/conventions.md";
 const STEPPED: [&str; 4] =
@@ -61,7 +61,7 @@ const RUNNING: [&str; 4] = [
 
 /// All of them.
 pub(super) fn all() -> Vec<Mutant> {
-    [levels(), channels(), blocks(), pixels(), inexact()].concat()
+    [levels(), channels(), blocks(), pixels(), inexact(), counted()].concat()
 }
 
 /// For the whole picture, or for polygons alone.
@@ -179,5 +179,33 @@ fn inexact() -> Vec<Mutant> {
     let exact: fn(&mut Rules) = |rules| rules.spares_exact = true;
     let values: Vec<Mutant> = [super::value::MUTANTS, super::carried::MUTANTS].concat();
     let is_plain = |mutant: &&Mutant| !mutant.applied_to(&Rules::default()).spares_constants;
-    each_with(&values.iter().filter(is_plain).copied().collect::<Vec<_>>(), &[exact])
+    let plain: Vec<Mutant> = values.iter().filter(is_plain).copied().collect();
+    // A line for each channel, and a slip in one of them.
+    let of_one: [fn(&mut Rules); 3] = [
+        |rules| rules.value_channels = [true, false, false],
+        |rules| rules.value_channels = [false, true, false],
+        |rules| rules.value_channels = [false, false, true],
+    ];
+    [each_with(&plain, &[exact]), each_with(&plain, &of_one)].concat()
+}
+
+const COUNTED: [&str; 4] = [
+    "x or y counted from elsewhere",
+    "x or y is counted from the span, the polygon's bounds or a corner, where the plane is that of the whole picture.",
+    "Planes are evaluated at (x + 0.5, y + 0.5) of the picture.",
+    PAGE,
+];
+
+/// Planes of the picture at places that are counted from elsewhere.
+fn counted() -> Vec<Mutant> {
+    let of_values = [
+        mutant(COUNTED, |rules| rules.origin = Origin::Span),
+        mutant(COUNTED, |rules| rules.origin = Origin::Bounds),
+        mutant(COUNTED, |rules| rules.origin = Origin::FirstCorner),
+    ];
+    let clamps: fn(&mut Rules) = |rules| rules.clamps = true;
+    let both: fn(&mut Rules) = |rules| (rules.depth_origin, rules.clamps) = (rules.origin, true);
+    let depth: fn(&mut Rules) =
+        |rules| (rules.depth_origin, rules.origin, rules.clamps) = (rules.origin, Origin::Picture, true);
+    each_with(&of_values, &[|_| (), clamps, both, depth])
 }

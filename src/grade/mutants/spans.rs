@@ -23,9 +23,9 @@ const ROWS: [&str; 4] = [
     "Row y is crossed at y + 0.5; it is drawn when that lies at or below the top and above the bottom.",
     PAGE,
 ];
-const TWICE: [&str; 4] = [
+pub(super) const TWICE: [&str; 4] = [
     "corners on scan lines counted twice",
-    "Where a corner lies exactly on a row's center line both of its edges are counted, or neither, so parity is wrong.",
+    "Where a corner lies exactly on a row's center line its edges are not counted as they should be (both, neither, or one of two), so parity is wrong.",
     "An edge owns its upper end and not its lower: top.y <= y < bottom.y.",
     PAGE,
 ];
@@ -83,9 +83,9 @@ const AHEAD: [&str; 4] = [
     "Draw the line first, then step every edge to the next.",
     PAGE,
 ];
-const OPEN: [&str; 4] = [
+pub(super) const OPEN: [&str; 4] = [
     "an edge of the outline forgotten",
-    "The edge from the last corner back to the first (or the first edge) is left out.",
+    "The edge from the last corner back to the first (or the first edge) is left out, or leads elsewhere.",
     "An outline is closed: the edge after the last corner leads to the first.",
     PAGE,
 ];

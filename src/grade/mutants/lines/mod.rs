@@ -3,6 +3,7 @@
 //! A slip in stepping is tried with every common way to treat the ends of a line: which of them a program has is no part of the
 //! slip, and they share its name.
 
+mod whole;
 mod words;
 
 use super::{Mutant, each_with, mutant};
@@ -10,6 +11,7 @@ use crate::grade::lines::rule::{
     Around, Ask, At, Axis, Backward, Ends, Faces, Ink, Lost, Pen, Shape, Slope, Step, StepEnds, StepLost, Walk, When,
 };
 use crate::grade::rules::Rules;
+use whole::WHOLE_ENDS;
 use words::*;
 
 /// A slip in stepping with every common treatment of the ends.
@@ -34,13 +36,6 @@ macro_rules! simple {
     };
 }
 
-/// Ends made whole: what the ends become, and which of the columns are shown.
-macro_rules! whole {
-    ($($ends:expr => $walk:expr),+ $(,)?) => {
-        [$(mutant(WHOLE, |rules| (rules.lines.ends, rules.lines.walk) = ($ends, $walk))),+]
-    };
-}
-
 const fn ends(ends: StepEnds) -> Walk {
     Walk::Step(Step { ends, ..Step::RIGHT })
 }
@@ -48,32 +43,6 @@ const fn ends(ends: StepEnds) -> Walk {
 const fn asked(around: Around, half: f64, when: When) -> Walk {
     Walk::Ask(Ask { around, half, when })
 }
-
-const WHOLE_ENDS: &[Mutant] = &whole![
-    Ends::Center(0.0) => ends(StepEnds::All),
-    Ends::Center(0.0) => ends(StepEnds::AllOfLong),
-    Ends::Center(0.0) => ends(StepEnds::NotLast),
-    Ends::Center(0.0) => ends(StepEnds::NotFirst),
-    Ends::Center(0.0) => ends(StepEnds::Neither),
-    Ends::Center(0.5) => ends(StepEnds::All),
-    Ends::Center(0.5) => ends(StepEnds::NotLast),
-    Ends::Center(0.5) => ends(StepEnds::Neither),
-    Ends::Center(1.0) => ends(StepEnds::All),
-    Ends::Center(1.0) => ends(StepEnds::NotLast),
-    Ends::Center(0.0) => ends(StepEnds::Middles),
-    Ends::Center(0.5) => ends(StepEnds::AllOfLong),
-    Ends::CenterX(0.0) => ends(StepEnds::Diamonds),
-    Ends::CenterX(0.0) => ends(StepEnds::All),
-    Ends::CenterY(0.0) => ends(StepEnds::Diamonds),
-    Ends::CenterY(0.0) => ends(StepEnds::All),
-    Ends::Whole(0.0) => Walk::Ask(Ask::RIGHT),
-    Ends::Whole(0.5) => Walk::Ask(Ask::RIGHT),
-    Ends::Whole(1.0) => Walk::Ask(Ask::RIGHT),
-    Ends::Whole(0.0) => ends(StepEnds::Diamonds),
-    Ends::Whole(0.5) => ends(StepEnds::Diamonds),
-    Ends::Whole(0.0) => ends(StepEnds::All),
-    Ends::Whole(0.5) => ends(StepEnds::All),
-];
 
 const SLOPES: [&[Mutant]; 16] = [
     &stepped!(GAPS, axis: Axis::X),
@@ -94,7 +63,9 @@ const SLOPES: [&[Mutant]; 16] = [
     &stepped!(NO_SLOPE, slope: Slope::Zero),
 ];
 
-const ROWS: [&[Mutant]; 22] = [
+const ROWS: [&[Mutant]; 24] = [
+    &stepped!(UNSIGNED, slope: Slope::RowsGrowFromStart),
+    &stepped!(UNSIGNED, slope: Slope::RowsGrowFromStart, from_left: true),
     &stepped!(UNSIGNED, slope: Slope::RowsGrow),
     &stepped!(UNSIGNED, slope: Slope::RowsGrow, from_left: true),
     &stepped!(UNSIGNED, slope: Slope::RowsFall),
