@@ -295,22 +295,52 @@ fn mangled_files_never_end_the_program() {
     assert!(read_ftri("noise", &[&b"FTRI1\0\0\0"[..], &noise].concat()).is_err());
 }
 
-#[test]
-fn textured_triangles_are_read_and_told() {
+/// The small scene with its last two triangles textured by two texels, side by side.
+fn textured(texels: &[[u8; 4]]) -> Triangles {
     let mut made = small();
     made.ranges = vec![
         TriangleRange { first: 0, count: 6, kind: TriangleKind::Lit },
         TriangleRange { first: 6, count: 6, kind: TriangleKind::Textured },
     ];
-    (made.texture_size, made.texels) = ((2, 1), vec![255; 8]);
+    (made.texture_size, made.texels) = ((texels.len() as u32, u32::from(!texels.is_empty())), texels.concat());
+    made
+}
+
+#[test]
+fn textured_triangles_wear_the_picture() {
+    let mut made = textured(&[[255; 4]; 2]);
     made.texture[3] = [0.25, 0.75];
     let parsed = read_ftri("made", &bytes(&made)).expect("legal");
-    assert!(parsed.notices.to_string().contains("2 textured triangles"), "{}", parsed.notices);
+    assert_eq!(parsed.notices.to_string(), "");
     assert_eq!(parsed.scene.surfaces.len(), 2);
     assert!(parsed.scene.surfaces[1].two_sided && !parsed.scene.surfaces[0].two_sided);
     let mesh = &parsed.scene.surfaces[1].mesh;
     let third = mesh.vertices.iter().position(|vertex| vertex.z == -2.0).expect("it is used");
     assert_eq!(mesh.texture[third].to_array(), [0.25, 0.75, 0.0]);
+}
+
+#[test]
+fn alpha_below_one_half_is_not_there() {
+    let picture = |made: &Triangles| {
+        let scene = read_ftri("made", &bytes(made)).expect("legal").scene;
+        render(&scene, &choices(Shading::Gouraud), Some(&ZBuffer)).expect("a view").image
+    };
+    let (there, not_there) = (picture(&textured(&[[255, 255, 255, 128]])), picture(&textured(&[[255, 255, 255, 127]])));
+    let mut without = textured(&[[255; 4]]);
+    without.ranges.pop();
+    assert_ne!(there, not_there);
+    assert_eq!(not_there, picture(&without), "holes show what is behind");
+    let mut whole = textured(&[[255; 4]]);
+    assert_eq!(there, picture(&whole), "alpha only decides");
+    // Black texels take all light.
+    whole.texels = vec![0, 0, 0, 255];
+    assert_ne!(there, picture(&whole));
+}
+
+#[test]
+fn textured_triangles_without_a_texture_are_told() {
+    let parsed = read_ftri("made", &bytes(&textured(&[]))).expect("legal");
+    assert!(parsed.notices.to_string().contains("2 textured triangles"), "{}", parsed.notices);
 }
 
 /// The readable and the fast rasterizer on a scene of the families, for all that the registry has.

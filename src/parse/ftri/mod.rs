@@ -16,7 +16,8 @@ use super::Parsed;
 use crate::color::Rgb;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::math::{Affine3, Vec3};
-use crate::scene::{Light, LightSource, Object, ObjectId, Place, Scene, SurfaceId, TriangleKind, Triangles};
+use crate::image::textures::{FirstRow, Texels};
+use crate::scene::{Light, LightSource, Object, ObjectId, Place, Scene, SurfaceId, Texture, TriangleKind, Triangles};
 
 /// Reads a whole file; `name` is what messages and the scene call it.
 ///
@@ -60,18 +61,30 @@ pub(super) fn scene(name: &str, triangles: &Triangles) -> Result<Parsed, Diagnos
         scene.world.push(ObjectId(0));
     }
     scene.surfaces = surfaces;
+    scene.textures = picture(name, triangles).into_iter().collect();
     let notices = notice(triangles).map_or_else(Diagnostics::default, Diagnostics::without_source);
     Ok(Parsed { scene, notices, default_camera: None })
 }
 
-/// What is drawn otherwise than the file means.
+/// The picture that textured triangles wear: cut out at one half, its outermost texels go on beyond its edges.
+fn picture(name: &str, triangles: &Triangles) -> Option<Texture> {
+    let (width, height) = triangles.texture_size;
+    let (texels, _) = triangles.texels.as_chunks::<4>();
+    let texels = Texels::new(width, height, texels.to_vec(), FirstRow::AtV0)?;
+    Some(Texture::cut_out(name, texels, CUT_OUT))
+}
+
+/// Alpha below this is not there: 127 of 255 is below, 128 above.
+const CUT_OUT: f64 = 0.5;
+
+/// What is drawn otherwise than the file means: textured triangles of a file without a texture.
 fn notice(triangles: &Triangles) -> Option<Diagnostic> {
     let textured = triangles.ranges.iter().filter(|range| range.kind == TriangleKind::Textured);
     let count: u32 = textured.map(|range| range.count / 3).sum();
     let notice =
         Diagnostic::notice(format!("{count} textured triangles are drawn whole, in the colors of their vertices"));
-    let help = "their texture coordinates are kept; texels and cut-outs of `.ftri` are not drawn yet";
-    (count > 0).then(|| notice.help(help))
+    let help = "the file has no texture, or one with more texels than are drawn: give width and height of the picture, and its texels";
+    (count > 0 && picture("", triangles).is_none()).then(|| notice.help(help))
 }
 
 fn vector(numbers: [f32; 3]) -> Vec3 {

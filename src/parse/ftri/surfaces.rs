@@ -6,7 +6,7 @@
 use super::vector;
 use crate::color::Rgb;
 use crate::math::{Vec3, unit};
-use crate::scene::{Material, Mesh, NormalSource, Place, Surface, TriangleKind, TriangleRange, Triangles};
+use crate::scene::{Material, Mesh, NormalSource, Place, Surface, TextureId, TriangleKind, TriangleRange, Triangles};
 
 /// Runs of one color become surfaces where they are at least this long on average: a surface costs as much as some triangles.
 const TRIANGLES_A_SURFACE: usize = 8;
@@ -57,6 +57,8 @@ impl Sorter<'_> {
         let color = color.map_or(Rgb::WHITE, rgb);
         let material = Material { color, ambient: Some(ambient), diffuse, specular, shine, ..Material::default() };
         let two_sided = kind == TriangleKind::Textured;
+        // The file has one picture, if any: [`crate::scene::Scene::picture_on`] finds none where it has none.
+        let material = Material { texture: two_sided.then_some(TextureId(0)), ..material };
         Surface { material, mesh, primitives: Vec::new(), two_sided, place: Place::default() }
     }
 
