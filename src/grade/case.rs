@@ -74,6 +74,8 @@ pub struct Case {
     pub lamp: Option<Lamp>,
     /// Only the edges are drawn.
     pub lines: bool,
+    /// Who draws it may answer samples as levels: the mean of a pixel is then that of rounded numbers.
+    pub answered_in_levels: bool,
 }
 
 impl Face {
@@ -158,7 +160,7 @@ impl Case {
     #[must_use]
     pub fn new(name: &str, (width, height): (u32, u32), faces: Vec<Face>) -> Case {
         let (background, lamp, name) = ([0.0; 3], None, name.to_string());
-        Case { name, width, height, samples: 1, faces, background, lamp, lines: false }
+        Case { name, width, height, samples: 1, faces, background, lamp, lines: false, answered_in_levels: false }
     }
 
     /// The same picture of the polygons that a rasterizer accepts: what is wrong with triangles is wrong with each of them.

@@ -94,7 +94,7 @@ fn painted(case: &Case, rules: &Rules, known: Option<&Covering>) -> Painted {
                 PixelFrom::MixedByFace(later) if side > 1 => Some(mixed(case, rules, (x, y), later)),
                 _ => None,
             };
-            let (low, high) = pixel(&all, rules, mixed);
+            let (low, high) = pixel(case, &all, rules, mixed);
             painted.low.push(low);
             painted.high.push(high);
             painted.disputed.push(all.iter().any(|sample| sample.disputed));
@@ -241,10 +241,25 @@ fn keeps_flat(values: Interpolation) -> bool {
 }
 
 /// The least and greatest levels of a pixel.
-fn pixel(samples: &[Sample], rules: &Rules, mixed: Option<[f64; 3]>) -> ([u8; 3], [u8; 3]) {
+///
+/// A mean of levels differs from that of light by half a level at most, and who rounds every sample right is right.
+fn pixel(case: &Case, samples: &[Sample], rules: &Rules, mixed: Option<[f64; 3]>) -> ([u8; 3], [u8; 3]) {
+    let of = |rule: PixelFrom| pixel_by(samples, (rules, rule), mixed);
+    let (low, high) = of(rules.pixel);
+    if !case.answered_in_levels || samples.len() == 1 || rules.pixel != PixelFrom::Mean {
+        return (low, high);
+    }
+    let (other_low, other_high) = of(PixelFrom::MeanOfLevels(if rules.levels == Levels::Down { 0.0 } else { 0.5 }));
+    (
+        [0, 1, 2].map(|channel| low[channel].min(other_low[channel])),
+        [0, 1, 2].map(|channel| high[channel].max(other_high[channel])),
+    )
+}
+
+fn pixel_by(samples: &[Sample], (rules, pixel): (&Rules, PixelFrom), mixed: Option<[f64; 3]>) -> ([u8; 3], [u8; 3]) {
     let side = (samples.len() as f64).sqrt() as usize;
     let shown: Vec<pixels::Shown> = samples.iter().map(|sample| (sample.color, sample.front)).collect();
-    let color = mixed.unwrap_or_else(|| pixels::light(&shown, side, (rules.pixel, rules.pixel_of_one)));
+    let color = mixed.unwrap_or_else(|| pixels::light(&shown, side, (pixel, rules.pixel_of_one)));
     let color = rules.tone.of(rules.channels.map(|channel| color[channel]));
     let is_face = samples.len() == 1 && samples[0].is_drawn;
     let levels = if is_face { rules.face_levels.unwrap_or(rules.levels) } else { rules.levels };

@@ -72,6 +72,11 @@ pub trait Subject {
         Accepts::AnyPolygon
     }
 
+    /// Whether samples may come as levels of 8 bits, whose mean is taken on this side of the door.
+    fn answers_in_levels(&self) -> bool {
+        false
+    }
+
     /// Whether it can be asked for new pictures; a folder of pictures cannot, so its witnesses are not made smaller.
     fn can_draw_anything(&self) -> bool {
         true
@@ -148,6 +153,10 @@ impl Subject for Outside {
             ),
         })?;
         Ok(seen(&answer.image, sheet))
+    }
+
+    fn answers_in_levels(&self) -> bool {
+        true
     }
 
     fn batch(&self) -> usize {

@@ -237,7 +237,11 @@ type Drawn = Result<Answer, Failure>;
 
 /// Each case with its answer: one by one, so that whoever is asked in vain is asked late; together where that saves starts.
 fn drawn<'a>(subject: &'a dyn Subject, cases: Vec<Case>) -> Box<dyn Iterator<Item = (Case, Drawn)> + 'a> {
-    let cases: Vec<Case> = cases.into_iter().map(|case| case.cut_for(subject.accepts())).collect();
+    let for_subject = |case: Case| {
+        let answered_in_levels = subject.answers_in_levels();
+        Case { answered_in_levels, ..case.cut_for(subject.accepts()) }
+    };
+    let cases: Vec<Case> = cases.into_iter().map(for_subject).collect();
     let list = |case: &Case| case.list(subject.accepts());
     let is_one_sheet = cases.windows(2).all(|pair| pair[0].sheet() == pair[1].sheet());
     if subject.batch() > 1 && is_one_sheet && cases.len() > 1 {

@@ -15,8 +15,8 @@ mod surfaces;
 use super::Parsed;
 use crate::color::Rgb;
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::math::{Affine3, Vec3};
 use crate::image::textures::{FirstRow, Texels};
+use crate::math::{Affine3, Vec3};
 use crate::scene::{Light, LightSource, Object, ObjectId, Place, Scene, SurfaceId, Texture, TriangleKind, Triangles};
 
 /// Reads a whole file; `name` is what messages and the scene call it.
