@@ -99,6 +99,7 @@ fn what_cannot_be_done_is_said() {
     assert!(failed("view triangle.nff --shot a.gif").contains("a.gif"));
     assert!(failed("view triangle.nff -r none --shot a.png").contains("nothing to look at"));
     assert!(failed("view triangle.nff --subpixel-bits 40 --shot a.png").contains("40"));
+    assert!(failed("view triangle.nff --size 300000 --shot a.png").contains("300000x300000"));
     desk.write("dark.nff", "f 1 0 0 .8 0 0 0 1\n");
     assert!(failed("view dark.nff --shot a.png").contains("--from"));
     assert_eq!(desk.entries(), ["dark.nff", "triangle.nff"]);

@@ -269,6 +269,9 @@ mod tests {
         board.line((-1e9, 1.5), (1e9, 1.5), ink::WHITE);
         board.line((2.5, f64::NAN), (2.5, 9.0), ink::WHITE);
         assert_eq!(shown(&board), ["....", "####", "...."]);
+        let walls = ((-1.0, -1.0), (5.0, 4.0));
+        assert_eq!(within((-1e9, 1.5), (1e9, 1.5), walls.0, walls.1), Some(((-1.0, 1.5), (5.0, 1.5))));
+        assert_eq!(within((-9.0, 1.0), (-2.0, 9.0), walls.0, walls.1), None);
         let mut board = Board::new(4, 4, 0);
         board.line((0.0, 0.0), (3.9, 3.9), ink::WHITE);
         assert_eq!(shown(&board), ["#...", ".#..", "..#.", "...#"]);

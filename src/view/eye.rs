@@ -176,8 +176,12 @@ mod tests {
     #[test]
     fn orbit_keeps_its_distance_and_never_passes_the_pole() {
         let mut eye = eye(Gait::Orbit);
+        let mut height = 0.0;
         for _ in 0..100 {
             eye.turn(0.1, 0.2);
+            let rises = (eye.pose.at - eye.pose.from).y;
+            assert!(rises > height - 1e-9, "over the pole: {rises} after {height}");
+            height = rises;
         }
         let way = eye.pose.at - eye.pose.from;
         assert!((way.length() - 8.0).abs() < 1e-9 && eye.pose.at == Vec3::ZERO);

@@ -37,7 +37,7 @@ pub use event::{Event, Key, KeysError, read_keys};
 pub use show::{Compare, Guide, Show};
 pub use state::{Action, Outside, State};
 
-use crate::plan::{Choices, PlanError, Shading};
+use crate::plan::{Choices, PlanError, Shading, View};
 use crate::render::Canvas;
 use crate::scene::Scene;
 use board::ink;
@@ -73,11 +73,13 @@ impl<'a> Viewer<'a> {
     /// Looks at `scene`. The first of `rasterizers` draws to begin with.
     ///
     /// # Errors
-    /// The scene has no camera.
+    /// The scene has no usable view, or the picture is too large.
     pub fn new(scene: Scene, choices: &Choices, rasterizers: Vec<Named<'a>>) -> Result<Viewer<'a>, PlanError> {
         let own = scene.camera.ok_or(PlanError::NoCamera)?;
         let size = choices.size.unwrap_or(own.resolution);
         let choices = Choices { size: Some(size), ..choices.clone() };
+        // Before memory is asked for: a size that the plan refuses has no board.
+        View::new(&own, &choices)?;
         Ok(Viewer {
             state: State::new(own, choices, rasterizers.len()),
             landmarks: guide::landmarks(&scene),
