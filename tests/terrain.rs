@@ -160,6 +160,9 @@ fn a_relief_is_a_scene_that_renders() {
     let differing = by_scene.iter().zip(&at_once).filter(|(a, b)| a.abs_diff(**b) > 1).count();
     assert!(by_scene.len() == at_once.len() && differing == 0, "{differing} bytes differ");
     desk.done("plan relief.nff");
+    let lines = desk.made("terrain land.asc --error 20 --size 96x80 -s wire", "lines.ppm");
+    assert!(lines != at_once && lines == desk.made("terrain land.asc --error 20 --size 96x80 -r wire", "wire.ppm"));
+    assert!(lines[14..].chunks(3).filter(|pixel| **pixel != lines[14..17]).count() > 500, "lines are drawn");
     desk.done("terrain land.asc --error 20 -o relief.sipp");
     desk.done("render relief.sipp --size 32 -r watkins -o sipp.png");
 }

@@ -182,7 +182,7 @@ impl TerrainCommand {
                 ))
             })?;
         }
-        let rasterizer = find_rasterizer(registry, &self.view.rasterizer)?;
+        let rasterizer = find_rasterizer(registry, self.view.rasterizer())?;
         let (merged, filled) = self.read()?;
         let grid = &merged.grid;
         let camera = self.view.camera(grid, self.wanted.criterion);
@@ -255,8 +255,14 @@ impl View {
         camera
     }
 
+    /// `-s wire` and `-r wire` are one thing.
+    fn rasterizer(&self) -> &str {
+        if self.shading == Shading::Wire && self.rasterizer == "zbuffer" { "wire" } else { &self.rasterizer }
+    }
+
     fn choices(&self) -> Choices {
-        Choices { size: self.size, shading: self.shading, samples: self.samples, ..Choices::default() }
+        let shading = if self.rasterizer() == "wire" { Shading::Wire } else { self.shading };
+        Choices { size: self.size, shading, samples: self.samples, ..Choices::default() }
     }
 
     fn colors(&self, grid: &Grid) -> Colors {

@@ -250,8 +250,9 @@ mod tests {
 
     #[test]
     fn no_face_hangs_on_a_void_beyond_the_border() {
-        let hills = hills(20, 20);
-        let grid = grid(20, 20, |x, y| if x > 16 && y < 19 { f32::NAN } else { hills.height(x, y) });
+        // The triangle (16, 16), (32, 0), (32, 16) covers samples from row 13 on; the sample nearest to its second corner is (19, 0).
+        let hills = hills(20, 33);
+        let grid = grid(20, 33, |x, y| if x > 16 && y < 6 { f32::NAN } else { hills.height(x, y) });
         let hierarchy = Hierarchy::new(&grid);
         for depth in 0..10 {
             let mesh = mesh(&hierarchy, |middle| super::super::lattice::level(middle) > depth);
