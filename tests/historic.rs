@@ -187,7 +187,7 @@ fn historic_choices_that_contradict_others_are_refused() {
     let any = Accepts::AnyPolygon;
 
     let sipp = Choices { flat: FlatRule::Sipp, ..Choices::default() };
-    assert_eq!(plan(sipp, any).err(), Some(PlanError::FlatRuleWithoutFlat("gouraud")));
+    assert_eq!(plan(sipp, any).err(), Some(PlanError::FlatRuleWithoutFlat("sipp", "gouraud")));
     let flat = Choices { shading: Shading::Flat, ..scan_line() };
     assert_eq!(plan(flat, any).err(), Some(PlanError::NothingToInterpolate("flat")));
     let triangles = Choices { triangles: true, ..scan_line() };
