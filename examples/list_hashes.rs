@@ -3,6 +3,8 @@
 //! For whoever changes the geometry stage and means to change no bit: keep the output from before, compare with `diff`.
 //! Every built-in scene, small, and random polygons that reach over all planes; shadings, culling, needs, historic rules.
 
+#![allow(dead_code, reason = "the tests use more of these files")]
+
 #[path = "../tests/support/built_in.rs"]
 mod built_in;
 #[path = "../tests/support/mixed.rs"]

@@ -161,7 +161,7 @@ impl Projector {
 
     /// An eye-space position in clip space.
     #[inline]
-    pub fn to_clip(&self, eye: Vec3) -> Vec3 {
+    pub fn clip_space(&self, eye: Vec3) -> Vec3 {
         let (kx, ky) = self.clip_from_eye;
         Vec3::new(eye.x * kx, eye.y * ky, eye.z)
     }

@@ -283,7 +283,7 @@ impl<'a> Asked<'a> {
     /// Computes it; `light` is the light of a vertex, at a point with a normal.
     pub fn compute(self, projector: &Projector, mut light: impl FnMut(u32, (Vec3, Vec3)) -> [f64; 3]) {
         for (ready, &vertex) in self.ready.iter_mut().zip(self.asked) {
-            *ready = projector.ready(projector.to_clip(self.positions[vertex as usize]), EdgeKind::Original);
+            *ready = projector.ready(projector.clip_space(self.positions[vertex as usize]), EdgeKind::Original);
         }
         for (lit, &(vertex, side)) in self.lit.iter_mut().zip(self.asked_light) {
             let normal = side.turn(self.normals[vertex as usize]);

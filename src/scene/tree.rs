@@ -71,13 +71,16 @@ impl Scene {
     /// How many instances there are; `None` for more than the budget and for an object within itself. Every object is looked at once.
     fn instances(&self, walk: &mut Walk) -> Option<usize> {
         let Walk { counts, open, counting: stack, .. } = walk;
-        (counts.clear(), counts.resize(self.objects.len(), None));
-        (open.clear(), open.resize(self.objects.len(), false));
+        counts.clear();
+        counts.resize(self.objects.len(), None);
+        open.clear();
+        open.resize(self.objects.len(), false);
         let of = |counts: &[Option<usize>], ids: &[ObjectId]| {
             let sum = ids.iter().try_fold(0_usize, |sum, id| Some(sum.saturating_add(counts[id.0 as usize]?)));
             sum.filter(|&sum| sum <= Scene::INSTANCE_BUDGET)
         };
-        (stack.clear(), stack.extend_from_slice(&self.world));
+        stack.clear();
+        stack.extend_from_slice(&self.world);
         while let Some(&id) = stack.last() {
             let (index, children) = (id.0 as usize, &self.object(id).children);
             if counts[index].is_some() {

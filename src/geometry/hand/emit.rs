@@ -210,7 +210,7 @@ impl Way<'_> {
 
     /// A corner as clipping sees it.
     fn clip_vertex(&self, index: u32, corner: &Corner) -> ClipVertex {
-        let position = self.setting.projector.to_clip(self.mesh.positions[index as usize]);
+        let position = self.setting.projector.clip_space(self.mesh.positions[index as usize]);
         let mut vertex = ClipVertex { position, ..ClipVertex::default() };
         vertex.attributes = attributes(corner);
         vertex
