@@ -28,8 +28,10 @@ fn confused(lab: &str, is_ours: fn(&Rules, &Rules) -> bool) -> (usize, Vec<Strin
     let draw = |rules: &Rules| cases.iter().map(|case| paint(case, rules)).collect::<Vec<_>>();
     let right = Rules::default();
     let contract = draw(&right);
+    // Variants with a number or with company are of the same names, and too many for a test.
     let all: Vec<(Mutant, Rules, Vec<Painted>)> = mutants::of(lab)
         .into_iter()
+        .filter(|mutant| mutant.with.is_none() && mutant.is_plain())
         .map(|mutant| (mutant, mutant.applied_to(&right)))
         .map(|(mutant, rules)| (mutant, rules.clone(), draw(&rules)))
         .collect();
@@ -91,11 +93,11 @@ fn mistakes_of_pixels_are_told_apart() {
 
 #[test]
 fn mistakes_of_memory_are_told_apart() {
-    assert_told_apart("zbuffer", 60, |rules, right| {
-        rules.memory != right.memory
-            || (rules.depth_point != right.depth_point)
-            || (rules.mixed != right.mixed)
-            || (rules.stencil != right.stencil)
+    assert_told_apart("zbuffer", 15, |rules, right| {
+        rules.kept != right.kept
+            || rules.most_at_sample != right.most_at_sample
+            || rules.mixed != right.mixed
+            || rules.stencil != right.stencil
             || rules.dropped != right.dropped
     });
 }

@@ -31,6 +31,9 @@ use super::lines::rule::Lines;
 use super::listed::Tone;
 use super::rules::{Blending, Bounds, BoundsBy, DepthFrom, Pieces, Rules};
 
+/// A change with a number in it.
+pub type Numbered = fn(&mut Rules, f64);
+
 /// A mistake that students make.
 #[derive(Clone, Copy, Debug)]
 pub struct Mutant {
@@ -45,7 +48,7 @@ pub struct Mutant {
     /// The change.
     pub change: fn(&mut Rules),
     /// A change with a number in it, and that number.
-    pub with: Option<(fn(&mut Rules, f64), f64)>,
+    pub with: Option<(Numbered, f64)>,
     /// What else goes with it in some programs, and is no mistake, or follows from this one.
     pub beside: [Option<fn(&mut Rules)>; 3],
 }
