@@ -94,7 +94,7 @@ fn series<T: Wide, const N: usize>(x: T, terms: &[f64; N]) -> T {
     let mut term = N;
     while term > 0 {
         term -= 1;
-        if term % 2 == 0 {
+        if term.is_multiple_of(2) {
             even = even * square + x.all(terms[term]);
         } else {
             odd = odd * square + x.all(terms[term]);
