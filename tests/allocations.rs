@@ -81,7 +81,7 @@ fn later_frames(choices: &Choices) -> u64 {
 
 /// Allocations of the third picture that `fast` draws of one list; the first two have warmed its memory.
 fn third_picture(polygons: usize, side: u32, threads: u32) -> u64 {
-    let mix = Mix { polygons, corners: (3, 6), transparent: true, ..Mix::default() };
+    let mix = Mix { polygons, corners: (3, 6), ..Mix::default() };
     let scene = mix.scene(side);
     let choices = Choices { threads: Some(threads), shading: Shading::Phong, ..Choices::default() };
     let (fast, canvas) = (Fast::default(), Canvas::new(&scene, &choices));

@@ -45,6 +45,11 @@ impl Spans {
         Spans { columns, ..Spans::default() }
     }
 
+    /// From now on finds only what lies in these columns.
+    pub(super) fn limit(&mut self, columns: Range<i32>) {
+        self.columns = columns;
+    }
+
     /// Calls `span(row, columns)` for every run of covered samples of `outline` in `rows`, from the top row down and from
     /// left to right. Runs are never empty.
     pub fn of(

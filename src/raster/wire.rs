@@ -92,6 +92,8 @@ struct Line {
     steep: bool,
     /// Half the width of a sample.
     half: i64,
+    /// The width of a sample is 2 to this power.
+    shift: u32,
 }
 
 impl Line {
@@ -100,12 +102,13 @@ impl Line {
         let (start, end) = (fixed(start), fixed(end));
         let steep = (end.1 - start.1).abs() > (end.0 - start.0).abs();
         let turn = |(x, y): (i64, i64)| if steep { (y, x) } else { (x, y) };
-        Line { start: turn(start), end: turn(end), steep, half: grid.steps() }
+        Line { start: turn(start), end: turn(end), steep, half: grid.steps(), shift: grid.steps().trailing_zeros() + 1 }
     }
 
     /// The sample whose cell holds a coordinate.
     fn cell(&self, coordinate: i64) -> i64 {
-        coordinate.div_euclid(2 * self.half)
+        // A sample is a power of two wide.
+        coordinate >> self.shift
     }
 
     fn center(&self, cell: i64) -> i64 {
@@ -129,7 +132,8 @@ impl Line {
         // v = start.v + along dv / du, floored to a cell: exact, |du| is the denominator.
         if self.reach().max(along.abs()) < 1 << 29 && self.half < 1 << 17 {
             let (numerator, denominator) = ((self.start.1 * du + along * dv) * du.signum(), self.denominator());
-            return (numerator.div_euclid(denominator), numerator.rem_euclid(denominator));
+            let row = numerator.div_euclid(denominator);
+            return (row, numerator - row * denominator);
         }
         let [start, du, along, dv] = [self.start.1, du, along, dv].map(i128::from);
         let numerator = (start * du + along * dv) * du.signum();

@@ -148,6 +148,9 @@ fn gather_all<S: Simd, const N: usize>(simd: S, list: &DrawList, eight: &Eight) 
         }
         lane += 1;
     }
+    if N == 3 && planes[0][0].evaluation == Evaluation::Constant && are_constant(&planes) {
+        return (constants(simd, &planes), 0);
+    }
     let depth = f32x8::from_slice(simd, &eight.depth);
     let mut values = [depth; N];
     let mut number = 0;
@@ -159,6 +162,41 @@ fn gather_all<S: Simd, const N: usize>(simd: S, list: &DrawList, eight: &Eight) 
         number += 1;
     }
     (values, odd)
+}
+
+/// Whether nothing varies over any of eight polygons: flat shading.
+#[inline(always)]
+fn are_constant(planes: &[&[Plane]; COUNT]) -> bool {
+    let mut constant = true;
+    let mut lane = 0;
+    while lane < COUNT {
+        let mut number = 0;
+        while number < planes[lane].len() {
+            constant &= planes[lane][number].evaluation == Evaluation::Constant;
+            number += 1;
+        }
+        lane += 1;
+    }
+    constant
+}
+
+/// Colors that are the same all over a polygon, as the shader has them.
+#[inline(always)]
+fn constants<S: Simd, const N: usize>(simd: S, planes: &[&[Plane]; COUNT]) -> [f32x8<S>; N] {
+    let mut values = [f32x8::splat(simd, 0.0); N];
+    let mut number = 0;
+    while number < N {
+        let mut colors = [0.0; COUNT];
+        let mut lane = 0;
+        while lane < COUNT {
+            let plane = &planes[lane][number];
+            colors[lane] = plane.clamp(plane.c) as f32;
+            lane += 1;
+        }
+        values[number] = f32x8::from_slice(simd, &colors);
+        number += 1;
+    }
+    values
 }
 
 /// One number at eight samples, each from its own plane.

@@ -72,6 +72,7 @@ pub(super) struct Tile<D> {
     /// Those of them that are blended.
     pub layers: Layers,
     runs: Vec<Run>,
+    spans: Spans,
     pub blended: Blended,
     /// What the samples show, when they are shaded: red, green, blue.
     pub light: [Vec<f32>; 3],
@@ -123,6 +124,7 @@ impl<D: Depth> Tile<D> {
             veils: Vec::new(),
             layers,
             runs: Vec::new(),
+            spans: Spans::default(),
             blended: Blended::default(),
             light,
             counts,
@@ -153,7 +155,8 @@ impl<D: Depth> Tile<D> {
 
     /// Draws what touches tile `number`, in the order of the list.
     pub fn draw(&mut self, list: &DrawList, segments: &[Segment], number: usize, level: Level) {
-        let mut spans = Spans::within(self.area.columns.clone());
+        let mut spans = std::mem::take(&mut self.spans);
+        spans.limit(self.area.columns.clone());
         for segment in segments {
             let mut entries = segment.bins[number].as_slice();
             while !entries.is_empty() {
@@ -172,6 +175,7 @@ impl<D: Depth> Tile<D> {
                 }
             }
         }
+        self.spans = spans;
     }
 
     fn draw_edges(&mut self, segment: &Segment, entries: &[Entry], level: Level) {
