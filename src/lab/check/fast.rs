@@ -54,7 +54,7 @@ fn standard_scenes(effort: &Effort, report: &mut Report) {
                 continue;
             };
             for shading in [Shading::Flat, Shading::Gouraud, Shading::Phong] {
-                let (samples, side) = (1 + random.below(3) as u32, effort.count(100, 360) as u32);
+                let (samples, side) = (1 + random.below(3) as u32, effort.count(100, 360).max(24) as u32);
                 let culling = [Culling::Back, Culling::None][random.below(2) as usize];
                 let choices =
                     Choices { size: Some((side, side * 3 / 4)), shading, samples, culling, ..Choices::default() };
