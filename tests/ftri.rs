@@ -5,7 +5,7 @@ mod support;
 use farop::color::Encoding;
 use farop::image::Image;
 use farop::parse::{read_ftri, scene_of_triangles};
-use farop::plan::{Choices, FlatRule, NeedsMode, Shading};
+use farop::plan::{Choices, FlatRule, Interpolation, NeedsMode, Shading};
 use farop::raster::{Fast, Rasterizer, Registry, Watkins, ZBuffer};
 use farop::render::{list, render};
 use farop::scene::{Scene, TriangleKind, TriangleRange, Triangles};
@@ -354,5 +354,9 @@ fn families_are_drawn_alike() {
             render(&scene, &choices(Shading::Phong), Some(&*entry.rasterizer)).expect("a view").image
         };
         assert_eq!(picture("fast"), picture("zbuffer"), "{name}");
+        // Factors on colors run on the screen where colors do; eye points never.
+        let choices = Choices { interpolation: Interpolation::Screen, ..choices(Shading::Phong) };
+        let on_screen = |rasterizer: &dyn Rasterizer| render(&scene, &choices, Some(rasterizer)).expect("a view").image;
+        assert_eq!(on_screen(&Fast::default()), on_screen(&ZBuffer), "{name}, on the screen");
     }
 }

@@ -5,7 +5,7 @@
 //! `levels` turns light into 8 bits a channel: what other renderers leave in memory. A frame ends there; `write` (the picture as PNG,
 //! in memory) comes on top where pictures are kept.
 
-use crate::geometry;
+use crate::geometry::Stage;
 use crate::image::{Image, Picture, encode_for};
 use crate::plan::{Choices, Plan, PlanError};
 use crate::raster::{Frame, Rasterizer};
@@ -51,8 +51,8 @@ impl FrameTimes {
 }
 
 /// Memory that frames take turns in.
-#[derive(Debug)]
 pub struct Buffers {
+    stage: Stage,
     list: DrawList,
     frame: Frame,
     image: Image,
@@ -64,7 +64,8 @@ pub struct Buffers {
 impl Default for Buffers {
     fn default() -> Self {
         let image = Image::new(0, 0, crate::color::Rgb::gray(0.0));
-        Buffers { list: DrawList::new(0, 0), frame: Frame::default(), image, levels: Vec::new(), writes: true }
+        let (stage, list, frame) = (Stage::default(), DrawList::new(0, 0), Frame::default());
+        Buffers { stage, list, frame, image, levels: Vec::new(), writes: true }
     }
 }
 
@@ -99,7 +100,7 @@ pub fn draw(
     times.plan = timer.stop();
 
     let timer = StageTimer::start();
-    let counts = geometry::run(scene, &plan, &mut buffers.list);
+    let counts = buffers.stage.run(scene, &plan, &mut buffers.list);
     times.geometry = timer.stop();
 
     buffers.fit(plan.view.pixels);

@@ -25,7 +25,7 @@ pub(super) type Light<'a> = [&'a mut [f32]; 3];
 
 /// Whether depths of a tile are 1/w, and what varies comes from planes: then what is here applies.
 pub(super) fn applies(list: &DrawList) -> bool {
-    matches!(list.varying, Varying::Color | Varying::NormalEye)
+    matches!(list.varying, Varying::Color | Varying::NormalEye | Varying::NormalEyeColor)
         && list.precision == Precision::Single
         && list.depth_mapping.format == DepthFormat::F32
         && list.interpolation != Interpolation::ScanLine

@@ -155,7 +155,7 @@ fn gather_all<S: Simd, const N: usize>(simd: S, list: &DrawList, eight: &Eight) 
     let mut values = [depth; N];
     let mut number = 0;
     while number < N {
-        let in_space = list.interpolation == Interpolation::Perspective || number >= 3;
+        let in_space = list.interpolation == Interpolation::Perspective || list.varying.is_eye_point(number);
         let (value, is_odd) = one_number(simd, &planes, number, eight, (depth, in_space));
         values[number] = value;
         odd |= is_odd;
