@@ -118,7 +118,7 @@ impl Piece {
             Fill::Nothing => false,
             Fill::Box => self.in_box(point),
             Fill::Corners => self.has_corner_in((x, y), rules.cover_at),
-            Fill::Scan(_) => self.spans[y as usize].iter().any(|&(first, end)| first <= x && x < end),
+            Fill::Scan(_) => self.has_span_over((x, y)),
             Fill::Hull => self.is_between(point, rules.ties),
             Fill::AllEdges => self.is_on_one_side(point, rules.ties),
             Fill::BothEnds => has_odd_crossings(&self.corners, point, true),
@@ -134,6 +134,12 @@ impl Piece {
                 })
             }
         }
+    }
+
+    /// Blocks reach over the border of the picture, and spans do not: there is nothing on rows that there are not.
+    fn has_span_over(&self, (x, y): (i32, i32)) -> bool {
+        let row = usize::try_from(y).ok().and_then(|y| self.spans.get(y));
+        row.is_some_and(|spans| spans.iter().any(|&(first, end)| first <= x && x < end))
     }
 
     fn in_box(&self, (x, y): Point) -> bool {
@@ -198,11 +204,11 @@ fn bounds_of(corners: &[Point], of: BoundsOf, (low, high): (Point, Point)) -> (P
     let last = corners.len() - 1;
     match of {
         BoundsOf::All => (low, high),
-        BoundsOf::FirstThree => among(&corners[..3]),
-        BoundsOf::FirstAndThird => (corners[0], corners[2]),
+        BoundsOf::FirstThree => among(&corners[..corners.len().min(3)]),
+        BoundsOf::FirstAndThird => (corners[0], corners[last.min(2)]),
         BoundsOf::AllButLast => among(&corners[..last]),
         BoundsOf::SideOfFirst(side) => with_side(side, corners[0]),
-        BoundsOf::SideOfSecond(side) => with_side(side, corners[1]),
+        BoundsOf::SideOfSecond(side) => with_side(side, corners[last.min(1)]),
         BoundsOf::SideOfLast(side) => with_side(side, corners[last]),
     }
 }
