@@ -343,3 +343,20 @@ fn owns_all_touched(corners: &[Point], point: Point, ties: Ties) -> bool {
         }
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// One sample may decide for a block that reaches over the border of the picture.
+    #[test]
+    fn rows_beyond_the_picture_have_no_spans() {
+        let spans = vec![vec![(0, 4)]; 2];
+        let (low, high, window, size) = ((0.0, 0.0), (4.0, 2.0), [0, 4, 0, 2], (4, 2));
+        let piece = Piece { corners: Vec::new(), low, high, is_drawn: true, window, spans, size };
+        assert!(piece.has_span_over((0, 0)) && piece.has_span_over((3, 1)));
+        for beyond in [(3, 2), (3, -1), (4, 1), (-1, 0)] {
+            assert!(!piece.has_span_over(beyond), "{beyond:?}");
+        }
+    }
+}
