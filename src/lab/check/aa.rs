@@ -10,7 +10,7 @@
 //! sqrt(A) of A equal errors remain. On an edge along an axis all rows err alike: 1 / (A sqrt 12), the spread of a number rounded to A steps.
 //!
 //! Space: pixels of A x A samples, the middle one of three by three and those around it.
-//! Source: the law was measured before (`docs/accuracy-2.md`); its two parts are the central limit theorem and a uniform distribution.
+//! Source: the law was measured before (`docs/accuracy.md`); its two parts are the central limit theorem and a uniform distribution.
 //! Cost: A^2 a picture.
 
 use super::random_scenes::{camera, facets, scene, surface};

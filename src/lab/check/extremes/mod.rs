@@ -5,7 +5,7 @@
 //! The catalogue has 102 items. Each is a small function that makes its input, runs it through the library and says what is wrong.
 //! Nothing may panic, nothing may take long, no picture may hold a number that is not finite.
 //!
-//! Source: `docs/accuracy-2.md` has the table. Cost: milliseconds an item; a few are large on purpose.
+//! Source: `docs/accuracy.md` has the table. Cost: milliseconds an item; a few are large on purpose.
 
 mod clip;
 mod coordinates;
