@@ -1,17 +1,21 @@
 //! `farop grade`: what is wrong with a rasterizer or a function, why, and the smallest case that shows it.
 
 use super::error::{self, CliError, notice};
+use super::results::{Ledger, ResultOptions};
 use super::scenes::{Chosen, find_rasterizer};
 use crate::grade::folder::Pictures;
 use crate::grade::functions::{FUNCTION_LABS, grade_clip, grade_triangulate};
 use crate::grade::handout;
 use crate::grade::rubric::Rubric;
-use crate::grade::{self, InProcess, Lab, Outside, Request, Subject, Verdict, write};
+use crate::grade::{self, InProcess, Lab, Outside, Subject, Verdict, write};
 use crate::image::save;
 use crate::raster::Registry;
 use clap::Args;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
+
+/// The verdict by visible probes, and by hidden ones.
+type Judged = (Verdict, Option<Verdict>);
 
 /// Grade a rasterizer: points, the mistake by its name, the smallest case
 #[derive(Args)]
@@ -39,17 +43,13 @@ pub(super) struct GradeCommand {
     /// Smallest case of the first mistake, as a screen file
     #[arg(short = 'o', long, value_name = "FILE")]
     witness: Option<PathBuf>,
-    /// Gradescope's results, written anew after every picture
-    #[arg(long, value_name = "FILE")]
-    gradescope: Option<PathBuf>,
-    /// JUnit's results, written anew after every picture
-    #[arg(long, value_name = "FILE")]
-    junit: Option<PathBuf>,
+    #[command(flatten)]
+    results: ResultOptions,
     /// Points by aspect, TOML
     #[arg(long, value_name = "FILE")]
     rubric: Option<PathBuf>,
     /// Instead of points: at which size, offset or depth it begins to be wrong
-    #[arg(long, conflicts_with_all = ["pictures", "watch", "gradescope", "junit", "rubric"])]
+    #[arg(long, conflicts_with_all = ["pictures", "watch", "hidden", "gradescope", "prairielearn", "classroom", "junit", "rubric"])]
     extremes: bool,
     /// The verdict as JSON on standard output
     #[arg(long)]
@@ -86,7 +86,39 @@ impl GradeCommand {
     }
 
     fn grade(&self, lab: &Lab, rubric: &Rubric, registry: &Registry) -> Result<(), CliError> {
-        let verdict = match (&self.pictures, &self.rasterizer) {
+        let graded = self.judged(lab, rubric, registry);
+        if let Err(CliError::Failed(reason) | CliError::Diagnosed(reason)) = &graded {
+            let name = self.rasterizer.as_deref().unwrap_or_default();
+            self.results.write_refusal((lab, rubric), name, reason.trim_end())?;
+        }
+        let (verdict, hidden) = graded?;
+        self.write_witness(&verdict)?;
+        error::print(&self.told(&verdict, hidden.as_ref()))?;
+        let (earned, most) = [Some(&verdict), hidden.as_ref()]
+            .into_iter()
+            .flatten()
+            .fold((0.0, 0.0), |(earned, most), verdict| (earned + verdict.earned(), most + verdict.most()));
+        if verdict.is_passed() && hidden.is_none_or(|hidden| hidden.is_passed()) {
+            return Ok(());
+        }
+        Err(CliError::Wanting(format!("found wanting: {earned:.1} of {most:.1} points")))
+    }
+
+    /// The text for standard output.
+    fn told(&self, verdict: &Verdict, hidden: Option<&Verdict>) -> String {
+        if !self.json {
+            return write::text(verdict) + &hidden.map(write::hidden_text).unwrap_or_default();
+        }
+        let mut value = write::json(verdict);
+        if let Some(hidden) = hidden {
+            value["hidden"] = write::json(hidden);
+        }
+        format!("{value:#}\n")
+    }
+
+    /// The verdict by visible probes, and by hidden ones if they are asked.
+    fn judged(&self, lab: &Lab, rubric: &Rubric, registry: &Registry) -> Result<Judged, CliError> {
+        match (&self.pictures, &self.rasterizer) {
             (pictures, name) if is_about_function(lab) => {
                 if pictures.is_some() || self.witness.is_some() {
                     return Err(CliError::failed(format!(
@@ -94,40 +126,30 @@ impl GradeCommand {
                         lab.name
                     )));
                 }
-                self.judge_function(name.as_deref().unwrap_or_default(), (lab, rubric), registry)?
+                self.judge_function(name.as_deref().unwrap_or_default(), (lab, rubric), registry)
             }
             (Some(folder), _) => {
-                let pictures = Pictures::new(folder, lab, self.seed);
-                self.judge(&pictures, &folder.display().to_string(), (lab, rubric))?
+                let mut pictures = Pictures::new(folder, lab, self.seed);
+                if let Some(seed) = self.results.hidden {
+                    pictures = pictures.and(&lab.hidden(), seed);
+                }
+                self.judge(&pictures, &folder.display().to_string(), (lab, rubric))
             }
             (None, name) => {
                 let name = name.as_deref().unwrap_or("zbuffer");
                 let registered = find_rasterizer(registry, name)?
                     .ok_or_else(|| CliError::failed("`none` draws nothing: there is nothing to grade"))?;
                 match registered {
-                    Chosen::Registered(entry) => self.judge(&InProcess(&*entry.rasterizer), name, (lab, rubric))?,
-                    Chosen::Outside(external) => self.judge(&Outside::new(external), name, (lab, rubric))?,
+                    Chosen::Registered(entry) => self.judge(&InProcess(&*entry.rasterizer), name, (lab, rubric)),
+                    Chosen::Outside(external) => self.judge(&Outside::new(external), name, (lab, rubric)),
                 }
             }
-        };
-        self.write_witness(&verdict)?;
-        let text = if self.json { format!("{:#}\n", write::json(&verdict)) } else { write::text(&verdict) };
-        error::print(&text)?;
-        if verdict.is_passed() {
-            return Ok(());
         }
-        Err(CliError::Wanting(format!("found wanting: {:.1} of {:.1} points", verdict.earned(), verdict.most())))
     }
 
-    fn judge(&self, subject: &dyn Subject, name: &str, (lab, rubric): (&Lab, &Rubric)) -> Result<Verdict, CliError> {
-        let points = |aspect: &grade::labs::Aspect| rubric.points(aspect);
-        let request = Request { lab, name: name.to_string(), seed: self.seed, points: &points };
-        let mut trouble = None;
-        let verdict = grade::grade(subject, &request, &mut |verdict| {
-            // The first failure to write is told at the end; the grade goes on.
-            trouble = trouble.take().or(self.write_results(verdict).err());
-        });
-        trouble.map_or(Ok(verdict), Err)
+    fn judge(&self, subject: &dyn Subject, name: &str, (lab, rubric): (&Lab, &Rubric)) -> Result<Judged, CliError> {
+        let ledger = Ledger::new(&self.results, (lab, rubric), (name, self.seed), false);
+        ledger.fill(&mut |request, keep| grade::grade(subject, request, keep))
     }
 
     /// Grades a clip or a triangulation.
@@ -136,29 +158,15 @@ impl GradeCommand {
         name: &str,
         (lab, rubric): (&Lab, &Rubric),
         registry: &Registry,
-    ) -> Result<Verdict, CliError> {
-        let points = |aspect: &grade::labs::Aspect| rubric.points(aspect);
-        let request = Request { lab, name: name.to_string(), seed: self.seed, points: &points };
-        let mut trouble = None;
-        let mut keep = |verdict: &Verdict| trouble = trouble.take().or(self.write_results(verdict).err());
+    ) -> Result<Judged, CliError> {
         let clip = registry.clips().iter().find(|entry| lab.name == "clip" && entry.name == name);
         let split = registry.triangulations().iter().find(|entry| lab.name == "triangulate" && entry.name == name);
-        let verdict = match (clip, split) {
-            (Some(clip), _) => grade_clip(&*clip.function, &request, &mut keep),
-            (_, Some(split)) => grade_triangulate(&*split.function, &request, &mut keep),
-            (None, None) => return Err(no_function(name, lab.name, registry)),
-        };
-        trouble.map_or(Ok(verdict), Err)
-    }
-
-    fn write_results(&self, verdict: &Verdict) -> Result<(), CliError> {
-        if let Some(path) = &self.gradescope {
-            save::write_whole(path, format!("{:#}\n", write::gradescope(verdict)).as_bytes())?;
+        let ledger = Ledger::new(&self.results, (lab, rubric), (name, self.seed), true);
+        match (clip, split) {
+            (Some(clip), _) => ledger.fill(&mut |request, keep| grade_clip(&*clip.function, request, keep)),
+            (_, Some(split)) => ledger.fill(&mut |request, keep| grade_triangulate(&*split.function, request, keep)),
+            (None, None) => Err(no_function(name, lab.name, registry)),
         }
-        if let Some(path) = &self.junit {
-            save::write_whole(path, write::junit(verdict).as_bytes())?;
-        }
-        Ok(())
     }
 
     fn write_witness(&self, verdict: &Verdict) -> Result<(), CliError> {

@@ -23,6 +23,7 @@ mod options;
 mod plan;
 mod raster;
 mod render;
+mod results;
 mod scenes;
 mod stages;
 mod stats;
