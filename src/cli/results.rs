@@ -1,6 +1,7 @@
 //! Where `farop grade` writes its results besides the terminal: one file a platform, whole after every picture.
 
 use super::error::CliError;
+use crate::grade::html;
 use crate::grade::rubric::Rubric;
 use crate::grade::write::{self, Results};
 use crate::grade::{Lab, Request, Verdict};
@@ -29,6 +30,9 @@ pub(super) struct ResultOptions {
     /// JUnit's results, likewise
     #[arg(long, value_name = "FILE")]
     junit: Option<PathBuf>,
+    /// A page with pictures, mistakes and an inspector, for eyes
+    #[arg(long, value_name = "FILE.html")]
+    report: Option<PathBuf>,
 }
 
 impl ResultOptions {
@@ -44,7 +48,12 @@ impl ResultOptions {
         write(&self.gradescope, &|| format!("{:#}\n", write::gradescope(results)))?;
         write(&self.prairielearn, &|| format!("{}\n", write::prairielearn(results)))?;
         write(&self.classroom, &|| write::classroom(results))?;
-        write(&self.junit, &|| write::junit(results))
+        write(&self.junit, &|| write::junit(results))?;
+        // A page takes as long to make as many pictures: it is written once there is all of it.
+        if results.is_whole() || results.refused.is_some() {
+            write(&self.report, &|| html::report(results))?;
+        }
+        Ok(())
     }
 
     /// Writes that nothing could be graded, and why: a platform must not be left without an answer.

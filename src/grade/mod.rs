@@ -21,6 +21,7 @@ pub mod folder;
 pub mod functions;
 pub mod handout;
 pub mod hidden;
+pub mod html;
 pub mod labs;
 pub mod light_rules;
 mod lighting;
