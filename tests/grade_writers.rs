@@ -3,11 +3,14 @@
 //!
 //! The checkers are written from the platforms' documents and know nothing of the writers.
 
+#[path = "support/base64.rs"]
+mod base64;
 #[path = "support/command.rs"]
 mod command;
 #[path = "support/planted.rs"]
 mod planted;
 
+use base64::decoded;
 use command::Desk;
 use farop::grade::folder::files;
 use farop::grade::labs;
@@ -226,30 +229,6 @@ fn check_junit(text: &str) -> Vec<(String, String)> {
         assert!(needed.iter().all(|attribute| tag.contains(attribute)), "{tag}");
     }
     elements
-}
-
-/// Base64, read by its definition: 6 bits a letter.
-fn decoded(text: &str) -> Vec<u8> {
-    let value = |letter: u8| match letter {
-        b'A'..=b'Z' => letter - b'A',
-        b'a'..=b'z' => letter - b'a' + 26,
-        b'0'..=b'9' => letter - b'0' + 52,
-        b'+' => 62,
-        b'/' => 63,
-        other => panic!("{other} is no letter of base64"),
-    };
-    assert_eq!(text.len() % 4, 0);
-    let letters = text.trim_end_matches('=').bytes();
-    let (mut bits, mut count, mut bytes) = (0_u32, 0, Vec::new());
-    for letter in letters {
-        (bits, count) = (bits << 6 | u32::from(value(letter)), count + 6);
-        if count >= 8 {
-            count -= 8;
-            bytes.push((bits >> count) as u8);
-            bits &= (1 << count) - 1;
-        }
-    }
-    bytes
 }
 
 fn check_all(results: Results<'_>) {

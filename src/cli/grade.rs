@@ -3,6 +3,8 @@
 use super::error::{self, CliError, notice};
 use super::results::{Ledger, ResultOptions};
 use super::scenes::{Chosen, find_rasterizer};
+use super::submission;
+use crate::grade::bundle::Order;
 use crate::grade::folder::Pictures;
 use crate::grade::functions::{FUNCTION_LABS, grade_clip, grade_triangulate};
 use crate::grade::handout;
@@ -10,6 +12,7 @@ use crate::grade::rubric::Rubric;
 use crate::grade::{self, InProcess, Lab, Outside, Subject, Verdict, write};
 use crate::image::save;
 use crate::raster::Registry;
+use crate::raster::external::External;
 use clap::Args;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
@@ -26,11 +29,17 @@ pub(super) struct GradeCommand {
     /// Which lab (`farop list labs` has the names)
     lab: String,
     /// Rasterizer; in `clip` and `triangulate` a function
-    #[arg(short, long, value_name = "NAME", required_unless_present_any = ["pictures", "hint"])]
+    #[arg(short, long, value_name = "NAME", required_unless_present_any = ["pictures", "submission", "hint", "bundle"])]
     rasterizer: Option<String>,
     /// Folder of PPM or PNG pictures drawn elsewhere from the files of `farop suite LAB`
     #[arg(long, value_name = "DIR", conflicts_with = "rasterizer")]
     pictures: Option<PathBuf>,
+    /// One submission as a platform has it: a .c, .cpp, .py or program, or a folder with one
+    #[arg(long, value_name = "PATH", conflicts_with_all = ["rasterizer", "pictures"])]
+    submission: Option<PathBuf>,
+    /// Write what a platform wants uploaded (gradescope), as a .zip or a folder
+    #[arg(long, num_args = 2, value_names = ["PLATFORM", "PATH"])]
+    bundle: Option<Vec<PathBuf>>,
     /// Print a hint: 1 asks, 2 tells the idea, 3 is nearly the code
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(handout::HINTS)))]
     hint: Option<u32>,
@@ -71,6 +80,9 @@ impl GradeCommand {
             let name = self.rasterizer.as_deref().unwrap_or("zbuffer");
             return super::extremes::run(lab, (name, registry), self.witness.as_deref(), self.json);
         }
+        if let Some([platform, path]) = self.bundle.as_deref() {
+            return self.write_bundle((lab, &platform.to_string_lossy()), path);
+        }
         let rubric = self.read_rubric(lab)?;
         if !self.watch {
             return self.grade(lab, &rubric, registry);
@@ -78,17 +90,35 @@ impl GradeCommand {
         self.watch(lab, &rubric, registry)
     }
 
+    fn rubric_text(&self) -> Result<Option<String>, CliError> {
+        let Some(path) = &self.rubric else { return Ok(None) };
+        let text = std::fs::read_to_string(path);
+        text.map(Some).map_err(|error| CliError::failed(format!("cannot read {}: {error}", path.display())))
+    }
+
+    fn write_bundle(&self, (lab, platform): (&Lab, &str), path: &Path) -> Result<(), CliError> {
+        if is_about_function(lab) {
+            let words =
+                "submissions in other languages draw pictures, and this lab is about a function: there is no bundle";
+            return Err(CliError::failed(format!("lab {}: {words}", lab.name)));
+        }
+        self.read_rubric(lab)?;
+        let text = self.rubric_text()?;
+        let (seed, hidden, leaderboard) = (self.seed, self.results.hidden, self.results.leaderboard);
+        let order = Order { lab: lab.name, seed, hidden, rubric: text.as_deref(), leaderboard };
+        super::bundle::write(platform, path, &order)
+    }
+
     fn read_rubric(&self, lab: &Lab) -> Result<Rubric, CliError> {
-        let Some(path) = &self.rubric else { return Ok(Rubric::default()) };
-        let text = std::fs::read_to_string(path)
-            .map_err(|error| CliError::failed(format!("cannot read {}: {error}", path.display())))?;
+        let (Some(path), Some(text)) = (&self.rubric, self.rubric_text()?) else { return Ok(Rubric::default()) };
         Rubric::parse(&text, lab).map_err(|error| CliError::failed(format!("{}: {error}", path.display())))
     }
 
     fn grade(&self, lab: &Lab, rubric: &Rubric, registry: &Registry) -> Result<(), CliError> {
         let graded = self.judged(lab, rubric, registry);
         if let Err(CliError::Failed(reason) | CliError::Diagnosed(reason)) = &graded {
-            let name = self.rasterizer.as_deref().unwrap_or_default();
+            let submitted = self.submission.as_deref().and_then(Path::file_name).map(|name| name.to_string_lossy());
+            let name = self.rasterizer.as_deref().or(submitted.as_deref()).unwrap_or_default();
             self.results.write_refusal((lab, rubric), name, reason.trim_end())?;
         }
         let (verdict, hidden) = graded?;
@@ -118,11 +148,16 @@ impl GradeCommand {
 
     /// The verdict by visible probes, and by hidden ones if they are asked.
     fn judged(&self, lab: &Lab, rubric: &Rubric, registry: &Registry) -> Result<Judged, CliError> {
+        if let Some(path) = &self.submission
+            && !is_about_function(lab)
+        {
+            return self.judge_submission(path, (lab, rubric));
+        }
         match (&self.pictures, &self.rasterizer) {
             (pictures, name) if is_about_function(lab) => {
-                if pictures.is_some() || self.witness.is_some() {
+                if pictures.is_some() || self.submission.is_some() || self.witness.is_some() {
                     return Err(CliError::failed(format!(
-                        "lab {} is about a function: there are no pictures and no screen files, leave --pictures and --witness out",
+                        "lab {} is about a function: there are no pictures and no screen files, leave --pictures, --submission and --witness out",
                         lab.name
                     )));
                 }
@@ -150,6 +185,14 @@ impl GradeCommand {
     fn judge(&self, subject: &dyn Subject, name: &str, (lab, rubric): (&Lab, &Rubric)) -> Result<Judged, CliError> {
         let ledger = Ledger::new(&self.results, (lab, rubric), (name, self.seed), false);
         ledger.fill(&mut |request, keep| grade::grade(subject, request, keep))
+    }
+
+    /// Grades what lies in `path`.
+    fn judge_submission(&self, path: &Path, (lab, rubric): (&Lab, &Rubric)) -> Result<Judged, CliError> {
+        let found = submission::find(path)?;
+        let external = External::from_name(&found.door);
+        let external = external.ok_or_else(|| CliError::failed(format!("no door: {}", found.door)))?;
+        self.judge(&Outside::new(external), &found.name, (lab, rubric))
     }
 
     /// Grades a clip or a triangulation.

@@ -8,6 +8,7 @@
 //! Exit codes: 0 done, 1 checked and found wanting, 2 could not run (message on stderr, no partial file).
 
 mod bench;
+mod bundle;
 mod check;
 mod compare;
 mod convert;
@@ -28,6 +29,7 @@ mod scenes;
 mod stages;
 mod stats;
 pub mod student;
+mod submission;
 mod suite;
 mod terrain;
 mod view;

@@ -19,8 +19,8 @@ pub(super) struct ResultOptions {
     #[arg(long, value_name = "FILE")]
     gradescope: Option<PathBuf>,
     /// Points and wrong samples on Gradescope's leaderboard
-    #[arg(long, requires = "gradescope")]
-    leaderboard: bool,
+    #[arg(long)]
+    pub leaderboard: bool,
     /// PrairieLearn's results, likewise
     #[arg(long, value_name = "FILE")]
     prairielearn: Option<PathBuf>,
@@ -103,6 +103,8 @@ impl<'a> Ledger<'a> {
             self.options.hidden.map(|seed| Request { lab: &hidden_lab, name: name(), seed, points: &hidden_points });
         let mut trouble = None;
         let not_yet = later.as_ref().map(Verdict::blank);
+        // Whoever is stopped before the first picture must leave a file, too.
+        self.options.write(self.options.with(&Verdict::blank(&request), not_yet.as_ref(), self.rubric))?;
         let visible = grade(&request, &mut |so_far| {
             let results = self.options.with(so_far, not_yet.as_ref(), self.rubric);
             trouble = trouble.take().or(self.options.write(results).err());

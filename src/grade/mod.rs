@@ -11,6 +11,7 @@
 //! Cost: a few hundred samples a probe.
 
 mod area_rules;
+pub mod bundle;
 pub mod case;
 mod cases;
 mod covered;
