@@ -13,12 +13,14 @@
 //! Cost: the size of its pictures; pages larger than [`MOST_BYTES`] leave out inspector data, right pictures first.
 
 mod aspect;
+mod class;
 mod data;
 mod lens;
 mod page;
 mod shot;
 mod witness;
 
+pub use class::class_index;
 pub use page::page;
 
 use super::handout;
