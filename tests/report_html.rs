@@ -9,7 +9,7 @@ mod planted;
 
 use base64::decoded;
 use command::Desk;
-use farop::grade::html::{class_index, report};
+use farop::grade::html::{class_index, report, write_class_index};
 use farop::grade::rubric::Rubric;
 use farop::grade::subject::{Answer, Failure};
 use farop::grade::write::Results;
@@ -167,6 +167,14 @@ fn the_class_page_ranks_links_and_escapes() {
     for words in ["href=\"submissions/b/report.html\"", "95 / 125", "8.5 / 10", "30 points lost", "1</strong> of 2"] {
         assert!(page.contains(words), "{words}");
     }
+    // Beside a class.json, with links to what is there.
+    let desk = Desk::new();
+    assert!(write_class_index(&desk.path("")).is_err_and(|words| words.contains("class.json")));
+    desk.write("class.json", class.to_string());
+    std::fs::create_dir_all(desk.path("submissions/b")).expect("a folder");
+    desk.write("submissions/b/report.html", "");
+    write_class_index(&desk.path("")).expect("room for a page");
+    assert_eq!(String::from_utf8(desk.read("index.html")).expect("text"), page);
     // Nothing at all is a page as well.
     check_page(&class_index(&json!({}), &|_| None));
 }

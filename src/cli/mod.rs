@@ -18,6 +18,7 @@ mod extremes;
 mod generate;
 mod grade;
 mod lab;
+mod lab_suite;
 mod lighting;
 mod list;
 mod options;

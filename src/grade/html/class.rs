@@ -6,8 +6,10 @@
 //! the file may be of a grader of another year.
 
 use super::{page, points};
+use crate::image::save;
 use maud::{Markup, html};
 use serde_json::Value;
+use std::path::Path;
 
 /// The page; `link` knows the address of a submission's report, by its key, where there is one.
 #[must_use]
@@ -25,6 +27,22 @@ pub fn class_index(class: &Value, link: &dyn Fn(&str) -> Option<String>) -> Stri
         footer { p.quiet { "Made from class.json, which has every number of this page." } }
     };
     page(&format!("{lab}: a class of {}", submissions.len()), &body)
+}
+
+/// Writes `index.html` beside the `class.json` of `folder`, with links to the reports that are there.
+///
+/// # Errors
+/// In words: what cannot be read, understood or written.
+pub fn write_class_index(folder: &Path) -> Result<(), String> {
+    let path = folder.join("class.json");
+    let bytes = std::fs::read(&path).map_err(|error| format!("cannot read {}: {error}", path.display()))?;
+    let class: Value = serde_json::from_slice(&bytes).map_err(|error| format!("{}: {error}", path.display()))?;
+    let report = |key: &str| {
+        let addresses = ["report.html", "verdict.json"].map(|name| format!("submissions/{key}/{name}"));
+        addresses.into_iter().find(|address| folder.join(address).is_file())
+    };
+    let page = class_index(&class, &report);
+    save::write_whole(&folder.join("index.html"), page.as_bytes()).map_err(|error| error.to_string())
 }
 
 fn text<'a>(value: &'a Value, name: &str) -> &'a str {

@@ -17,11 +17,13 @@ mod class;
 mod data;
 mod lens;
 mod page;
+mod sheet;
 mod shot;
 mod witness;
 
-pub use class::class_index;
+pub use class::{class_index, write_class_index};
 pub use page::page;
+pub use sheet::{RULES, sheet};
 
 use super::handout;
 use super::rubric::Visibility;
