@@ -1,4 +1,4 @@
-//! The example readers in C, C++, Java and Python: short enough to hand out, and right.
+//! The example readers in C, C++, Java, Python, Rust and JavaScript: short enough to hand out, and right.
 
 use farop::color::Rgb;
 use farop::math::Vec3;
@@ -90,4 +90,14 @@ fn java() {
 #[test]
 fn python() {
     check("reader.py", None, &["python3", "reader.py", "list.scr"]);
+}
+
+#[test]
+fn rust() {
+    check("reader.rs", Some(&["rustc", "-O", "--edition=2021", "reader.rs"]), &["./reader", "list.scr"]);
+}
+
+#[test]
+fn javascript() {
+    check("reader.js", None, &["node", "reader.js", "list.scr"]);
 }

@@ -1,17 +1,24 @@
 //! `farop grade`: what is wrong with a rasterizer or a function, why, and the smallest case that shows it.
 
 use super::error::{self, CliError, notice};
+use super::results::{Ledger, ResultOptions};
 use super::scenes::{Chosen, find_rasterizer};
+use super::submission;
+use crate::grade::bundle::Order;
 use crate::grade::folder::Pictures;
 use crate::grade::functions::{FUNCTION_LABS, grade_clip, grade_triangulate};
 use crate::grade::handout;
 use crate::grade::rubric::Rubric;
-use crate::grade::{self, InProcess, Lab, Outside, Request, Subject, Verdict, write};
+use crate::grade::{self, InProcess, Lab, Outside, Subject, Verdict, write};
 use crate::image::save;
 use crate::raster::Registry;
+use crate::raster::external::External;
 use clap::Args;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
+
+/// The verdict by visible probes, and by hidden ones.
+type Judged = (Verdict, Option<Verdict>);
 
 /// Grade a rasterizer: points, the mistake by its name, the smallest case
 #[derive(Args)]
@@ -22,11 +29,17 @@ pub(super) struct GradeCommand {
     /// Which lab (`farop list labs` has the names)
     lab: String,
     /// Rasterizer; in `clip` and `triangulate` a function
-    #[arg(short, long, value_name = "NAME", required_unless_present_any = ["pictures", "hint"])]
+    #[arg(short, long, value_name = "NAME", required_unless_present_any = ["pictures", "submission", "hint", "bundle"])]
     rasterizer: Option<String>,
     /// Folder of PPM or PNG pictures drawn elsewhere from the files of `farop suite LAB`
     #[arg(long, value_name = "DIR", conflicts_with = "rasterizer")]
     pictures: Option<PathBuf>,
+    /// One submission as a platform has it: a .c, .cpp, .py or program, or a folder with one
+    #[arg(long, value_name = "PATH", conflicts_with_all = ["rasterizer", "pictures"])]
+    submission: Option<PathBuf>,
+    /// Write what a platform wants uploaded (gradescope), as a .zip or a folder
+    #[arg(long, num_args = 2, value_names = ["PLATFORM", "PATH"])]
+    bundle: Option<Vec<PathBuf>>,
     /// Print a hint: 1 asks, 2 tells the idea, 3 is nearly the code
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(handout::HINTS)))]
     hint: Option<u32>,
@@ -39,17 +52,13 @@ pub(super) struct GradeCommand {
     /// Smallest case of the first mistake, as a screen file
     #[arg(short = 'o', long, value_name = "FILE")]
     witness: Option<PathBuf>,
-    /// Gradescope's results, written anew after every picture
-    #[arg(long, value_name = "FILE")]
-    gradescope: Option<PathBuf>,
-    /// JUnit's results, written anew after every picture
-    #[arg(long, value_name = "FILE")]
-    junit: Option<PathBuf>,
+    #[command(flatten)]
+    results: ResultOptions,
     /// Points by aspect, TOML
     #[arg(long, value_name = "FILE")]
     rubric: Option<PathBuf>,
     /// Instead of points: at which size, offset or depth it begins to be wrong
-    #[arg(long, conflicts_with_all = ["pictures", "watch", "gradescope", "junit", "rubric"])]
+    #[arg(long, conflicts_with_all = ["pictures", "watch", "hidden", "gradescope", "prairielearn", "classroom", "junit", "rubric"])]
     extremes: bool,
     /// The verdict as JSON on standard output
     #[arg(long)]
@@ -71,6 +80,9 @@ impl GradeCommand {
             let name = self.rasterizer.as_deref().unwrap_or("zbuffer");
             return super::extremes::run(lab, (name, registry), self.witness.as_deref(), self.json);
         }
+        if let Some([platform, path]) = self.bundle.as_deref() {
+            return self.write_bundle((lab, &platform.to_string_lossy()), path);
+        }
         let rubric = self.read_rubric(lab)?;
         if !self.watch {
             return self.grade(lab, &rubric, registry);
@@ -78,56 +90,109 @@ impl GradeCommand {
         self.watch(lab, &rubric, registry)
     }
 
+    fn rubric_text(&self) -> Result<Option<String>, CliError> {
+        let Some(path) = &self.rubric else { return Ok(None) };
+        let text = std::fs::read_to_string(path);
+        text.map(Some).map_err(|error| CliError::failed(format!("cannot read {}: {error}", path.display())))
+    }
+
+    fn write_bundle(&self, (lab, platform): (&Lab, &str), path: &Path) -> Result<(), CliError> {
+        if is_about_function(lab) {
+            let words =
+                "submissions in other languages draw pictures, and this lab is about a function: there is no bundle";
+            return Err(CliError::failed(format!("lab {}: {words}", lab.name)));
+        }
+        self.read_rubric(lab)?;
+        let text = self.rubric_text()?;
+        let (seed, hidden, leaderboard) = (self.seed, self.results.hidden, self.results.leaderboard);
+        let order = Order { lab: lab.name, seed, hidden, rubric: text.as_deref(), leaderboard };
+        super::bundle::write(platform, path, &order)
+    }
+
     fn read_rubric(&self, lab: &Lab) -> Result<Rubric, CliError> {
-        let Some(path) = &self.rubric else { return Ok(Rubric::default()) };
-        let text = std::fs::read_to_string(path)
-            .map_err(|error| CliError::failed(format!("cannot read {}: {error}", path.display())))?;
+        let (Some(path), Some(text)) = (&self.rubric, self.rubric_text()?) else { return Ok(Rubric::default()) };
         Rubric::parse(&text, lab).map_err(|error| CliError::failed(format!("{}: {error}", path.display())))
     }
 
     fn grade(&self, lab: &Lab, rubric: &Rubric, registry: &Registry) -> Result<(), CliError> {
-        let verdict = match (&self.pictures, &self.rasterizer) {
+        let graded = self.judged(lab, rubric, registry);
+        if let Err(CliError::Failed(reason) | CliError::Diagnosed(reason)) = &graded {
+            let submitted = self.submission.as_deref().and_then(Path::file_name).map(|name| name.to_string_lossy());
+            let name = self.rasterizer.as_deref().or(submitted.as_deref()).unwrap_or_default();
+            self.results.write_refusal((lab, rubric), name, reason.trim_end())?;
+        }
+        let (verdict, hidden) = graded?;
+        self.write_witness(&verdict)?;
+        error::print(&self.told(&verdict, hidden.as_ref()))?;
+        let (earned, most) = [Some(&verdict), hidden.as_ref()]
+            .into_iter()
+            .flatten()
+            .fold((0.0, 0.0), |(earned, most), verdict| (earned + verdict.earned(), most + verdict.most()));
+        if verdict.is_passed() && hidden.is_none_or(|hidden| hidden.is_passed()) {
+            return Ok(());
+        }
+        Err(CliError::Wanting(format!("found wanting: {earned:.1} of {most:.1} points")))
+    }
+
+    /// The text for standard output.
+    fn told(&self, verdict: &Verdict, hidden: Option<&Verdict>) -> String {
+        if !self.json {
+            return write::text(verdict) + &hidden.map(write::hidden_text).unwrap_or_default();
+        }
+        let mut value = write::json(verdict);
+        if let Some(hidden) = hidden {
+            value["hidden"] = write::json(hidden);
+        }
+        format!("{value:#}\n")
+    }
+
+    /// The verdict by visible probes, and by hidden ones if they are asked.
+    fn judged(&self, lab: &Lab, rubric: &Rubric, registry: &Registry) -> Result<Judged, CliError> {
+        if let Some(path) = &self.submission
+            && !is_about_function(lab)
+        {
+            return self.judge_submission(path, (lab, rubric));
+        }
+        match (&self.pictures, &self.rasterizer) {
             (pictures, name) if is_about_function(lab) => {
-                if pictures.is_some() || self.witness.is_some() {
+                if pictures.is_some() || self.submission.is_some() || self.witness.is_some() {
                     return Err(CliError::failed(format!(
-                        "lab {} is about a function: there are no pictures and no screen files, leave --pictures and --witness out",
+                        "lab {} is about a function: there are no pictures and no screen files, leave --pictures, --submission and --witness out",
                         lab.name
                     )));
                 }
-                self.judge_function(name.as_deref().unwrap_or_default(), (lab, rubric), registry)?
+                self.judge_function(name.as_deref().unwrap_or_default(), (lab, rubric), registry)
             }
             (Some(folder), _) => {
-                let pictures = Pictures::new(folder, lab, self.seed);
-                self.judge(&pictures, &folder.display().to_string(), (lab, rubric))?
+                let mut pictures = Pictures::new(folder, lab, self.seed);
+                if let Some(seed) = self.results.hidden {
+                    pictures = pictures.and(&lab.hidden(), seed);
+                }
+                self.judge(&pictures, &folder.display().to_string(), (lab, rubric))
             }
             (None, name) => {
                 let name = name.as_deref().unwrap_or("zbuffer");
                 let registered = find_rasterizer(registry, name)?
                     .ok_or_else(|| CliError::failed("`none` draws nothing: there is nothing to grade"))?;
                 match registered {
-                    Chosen::Registered(entry) => self.judge(&InProcess(&*entry.rasterizer), name, (lab, rubric))?,
-                    Chosen::Outside(external) => self.judge(&Outside::new(external), name, (lab, rubric))?,
+                    Chosen::Registered(entry) => self.judge(&InProcess(&*entry.rasterizer), name, (lab, rubric)),
+                    Chosen::Outside(external) => self.judge(&Outside::new(external), name, (lab, rubric)),
                 }
             }
-        };
-        self.write_witness(&verdict)?;
-        let text = if self.json { format!("{:#}\n", write::json(&verdict)) } else { write::text(&verdict) };
-        error::print(&text)?;
-        if verdict.is_passed() {
-            return Ok(());
         }
-        Err(CliError::Wanting(format!("found wanting: {:.1} of {:.1} points", verdict.earned(), verdict.most())))
     }
 
-    fn judge(&self, subject: &dyn Subject, name: &str, (lab, rubric): (&Lab, &Rubric)) -> Result<Verdict, CliError> {
-        let points = |aspect: &grade::labs::Aspect| rubric.points(aspect);
-        let request = Request { lab, name: name.to_string(), seed: self.seed, points: &points };
-        let mut trouble = None;
-        let verdict = grade::grade(subject, &request, &mut |verdict| {
-            // The first failure to write is told at the end; the grade goes on.
-            trouble = trouble.take().or(self.write_results(verdict).err());
-        });
-        trouble.map_or(Ok(verdict), Err)
+    fn judge(&self, subject: &dyn Subject, name: &str, (lab, rubric): (&Lab, &Rubric)) -> Result<Judged, CliError> {
+        let ledger = Ledger::new(&self.results, (lab, rubric), (name, self.seed), false);
+        ledger.fill(&mut |request, keep| grade::grade(subject, request, keep))
+    }
+
+    /// Grades what lies in `path`.
+    fn judge_submission(&self, path: &Path, (lab, rubric): (&Lab, &Rubric)) -> Result<Judged, CliError> {
+        let found = submission::find(path)?;
+        let external = External::from_name(&found.door);
+        let external = external.ok_or_else(|| CliError::failed(format!("no door: {}", found.door)))?;
+        self.judge(&Outside::new(external), &found.name, (lab, rubric))
     }
 
     /// Grades a clip or a triangulation.
@@ -136,29 +201,15 @@ impl GradeCommand {
         name: &str,
         (lab, rubric): (&Lab, &Rubric),
         registry: &Registry,
-    ) -> Result<Verdict, CliError> {
-        let points = |aspect: &grade::labs::Aspect| rubric.points(aspect);
-        let request = Request { lab, name: name.to_string(), seed: self.seed, points: &points };
-        let mut trouble = None;
-        let mut keep = |verdict: &Verdict| trouble = trouble.take().or(self.write_results(verdict).err());
+    ) -> Result<Judged, CliError> {
         let clip = registry.clips().iter().find(|entry| lab.name == "clip" && entry.name == name);
         let split = registry.triangulations().iter().find(|entry| lab.name == "triangulate" && entry.name == name);
-        let verdict = match (clip, split) {
-            (Some(clip), _) => grade_clip(&*clip.function, &request, &mut keep),
-            (_, Some(split)) => grade_triangulate(&*split.function, &request, &mut keep),
-            (None, None) => return Err(no_function(name, lab.name, registry)),
-        };
-        trouble.map_or(Ok(verdict), Err)
-    }
-
-    fn write_results(&self, verdict: &Verdict) -> Result<(), CliError> {
-        if let Some(path) = &self.gradescope {
-            save::write_whole(path, format!("{:#}\n", write::gradescope(verdict)).as_bytes())?;
+        let ledger = Ledger::new(&self.results, (lab, rubric), (name, self.seed), true);
+        match (clip, split) {
+            (Some(clip), _) => ledger.fill(&mut |request, keep| grade_clip(&*clip.function, request, keep)),
+            (_, Some(split)) => ledger.fill(&mut |request, keep| grade_triangulate(&*split.function, request, keep)),
+            (None, None) => Err(no_function(name, lab.name, registry)),
         }
-        if let Some(path) = &self.junit {
-            save::write_whole(path, write::junit(verdict).as_bytes())?;
-        }
-        Ok(())
     }
 
     fn write_witness(&self, verdict: &Verdict) -> Result<(), CliError> {

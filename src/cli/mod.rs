@@ -8,6 +8,7 @@
 //! Exit codes: 0 done, 1 checked and found wanting, 2 could not run (message on stderr, no partial file).
 
 mod bench;
+mod bundle;
 mod check;
 mod compare;
 mod convert;
@@ -17,16 +18,19 @@ mod extremes;
 mod generate;
 mod grade;
 mod lab;
+mod lab_suite;
 mod lighting;
 mod list;
 mod options;
 mod plan;
 mod raster;
 mod render;
+mod results;
 mod scenes;
 mod stages;
 mod stats;
 pub mod student;
+mod submission;
 mod suite;
 mod terrain;
 mod view;

@@ -1,7 +1,7 @@
 //! `farop suite`: a set of screen files for a lab, from easy to hard, with expected pictures and readers to hand out.
 //!
 //! For every scene five files: its largest polygon, a few polygons, all of it flat, Gouraud, Phong. Numbers run from easy to
-//! hard over all scenes. The same scenes, options and seed give the same bytes.
+//! hard over all scenes. The same scenes, options and seed give the same bytes. The probes of a lab: [`super::lab_suite`].
 
 use super::dump::{DumpFormat, sheet};
 use super::error::{self, CliError};
@@ -13,7 +13,7 @@ use crate::plan::{Choices, Shading};
 use crate::raster::{Registry, ZBuffer};
 use crate::render::{self, Canvas};
 use crate::scene::Scene;
-use crate::screen::file::{Attributes, READERS, write_v2};
+use crate::screen::file::READERS;
 use crate::screen::{DrawList, ScreenPolygon};
 use clap::Args;
 use sha2::{Digest, Sha256};
@@ -33,6 +33,9 @@ pub(super) struct SuiteCommand {
     /// Picks the few polygons
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
+    /// Of a lab: the probes that students do not have, picked by the seed
+    #[arg(long)]
+    hidden: bool,
     #[command(flatten)]
     format: DumpFormat,
     #[command(flatten)]
@@ -84,7 +87,14 @@ impl SuiteCommand {
             && let Some(lab) = crate::grade::labs::find(name)
             && !Path::new(name).exists()
         {
-            return self.write_lab(lab);
+            let (seed, triangles) = (self.seed, self.picture.choices().triangles);
+            let lab = if self.hidden { lab.hidden() } else { *lab };
+            return super::lab_suite::write(&lab, &self.output, &self.format, (seed, triangles));
+        }
+        if self.hidden {
+            return Err(CliError::failed(
+                "--hidden is for the name of a lab (`farop list labs`): scenes have no probes",
+            ));
         }
         // Read everything before the first folder is made: a bad scene leaves nothing behind.
         let mut scenes = Vec::new();
@@ -117,28 +127,6 @@ impl SuiteCommand {
             entries.len(),
             self.output.display(),
             expected.display()
-        ))
-    }
-
-    /// Writes the cases of a lab, for pictures drawn elsewhere: `farop grade LAB --pictures DIR` judges them.
-    fn write_lab(&self, lab: &crate::grade::Lab) -> Result<(), CliError> {
-        make_folder(&self.output)?;
-        let files = crate::grade::folder::files(lab, self.seed);
-        for (name, case) in &files {
-            let mut text = Vec::new();
-            let list = case.list(crate::plan::Accepts::AnyPolygon);
-            write_v2(&list, &case.sheet(), Attributes::default(), &mut text).map_err(CliError::failed)?;
-            save::write_whole(&self.output.join(format!("{name}.scr")), &text)?;
-        }
-        for (name, text) in READERS {
-            save::write_whole(&self.output.join(name), text.as_bytes())?;
-        }
-        error::print(&format!(
-            "{} screen files in {}; draw each as NAME.ppm, then `farop grade {} --pictures DIR --seed {}`\n",
-            files.len(),
-            self.output.display(),
-            lab.name,
-            self.seed
         ))
     }
 
@@ -199,7 +187,7 @@ impl SuiteCommand {
     }
 }
 
-fn make_folder(path: &Path) -> Result<(), CliError> {
+pub(super) fn make_folder(path: &Path) -> Result<(), CliError> {
     let made = if path.is_dir() { Ok(()) } else { std::fs::create_dir(path) };
     made.map_err(|error| CliError::from(SaveError::at(path, error)))
 }
@@ -214,7 +202,7 @@ fn stem(name: &str) -> String {
         .collect()
 }
 
-fn hash(bytes: &[u8]) -> String {
+pub(super) fn hash(bytes: &[u8]) -> String {
     Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 

@@ -5,6 +5,7 @@
 //! This is the paper's own way of testing (FAROP 1996, appendix A): any machine, any language, files in, pictures out.
 
 use super::case::Case;
+use super::hidden::Probes;
 use super::labs::Lab;
 use super::subject::{Answer, Failure, Subject};
 use crate::image::{Picture, decode};
@@ -13,16 +14,18 @@ use crate::screen::DrawList;
 use crate::screen::file::Sheet;
 use std::path::{Path, PathBuf};
 
-/// Every case of `lab` with the name of its file, without an ending: `07-ties-square_on_centers`.
+/// Every case of `lab` with the name of its file, without an ending: `07-ties-square_on_centers`, and `hidden-07-...` of hidden
+/// probes, so that pictures of both may lie in one folder.
 #[must_use]
 pub fn files(lab: &Lab, seed: u64) -> Vec<(String, Case)> {
     let plain = |text: &str| -> String {
         text.chars().map(|letter| if letter.is_ascii_alphanumeric() { letter } else { '_' }).collect()
     };
+    let set = if lab.probes == Probes::Hidden { "hidden-" } else { "" };
     let mut files = Vec::new();
     for aspect in lab.aspects {
-        for case in (aspect.cases)(seed) {
-            files.push((format!("{:02}-{}-{}", files.len() + 1, plain(aspect.name), plain(&case.name)), case));
+        for case in lab.cases(aspect, seed) {
+            files.push((format!("{set}{:02}-{}-{}", files.len() + 1, plain(aspect.name), plain(&case.name)), case));
         }
     }
     files
@@ -41,6 +44,13 @@ impl Pictures {
     pub fn new(folder: &Path, lab: &Lab, seed: u64) -> Pictures {
         let lists = files(lab, seed).into_iter().map(|(name, case)| (case.list(Accepts::AnyPolygon), name));
         Pictures { folder: folder.to_path_buf(), lists: lists.collect() }
+    }
+
+    /// The same with pictures of another set of probes beside them.
+    #[must_use]
+    pub fn and(mut self, lab: &Lab, seed: u64) -> Pictures {
+        self.lists.extend(Pictures::new(&self.folder, lab, seed).lists);
+        self
     }
 }
 

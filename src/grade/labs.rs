@@ -5,6 +5,7 @@
 
 use super::case::Case;
 use super::cases::{color, coverage, depth, light, lines, samples};
+use super::hidden::{self, Probes};
 
 /// Something to build.
 #[derive(Clone, Copy)]
@@ -17,6 +18,25 @@ pub struct Lab {
     pub aspects: &'static [Aspect],
     /// Left and upper edges belong to a polygon; else any rule does that gives every center to one polygon.
     pub fixes_ties: bool,
+    /// Which of its probes are asked: those that students have, or those that only the grader has.
+    pub probes: Probes,
+}
+
+impl Lab {
+    /// The same lab asked with its hidden probes.
+    #[must_use]
+    pub fn hidden(&self) -> Lab {
+        Lab { probes: Probes::Hidden, ..*self }
+    }
+
+    /// The cases that one of its aspects is asked with; `seed` picks the random ones.
+    #[must_use]
+    pub fn cases(&self, aspect: &Aspect, seed: u64) -> Vec<Case> {
+        match self.probes {
+            Probes::Visible => (aspect.cases)(seed),
+            Probes::Hidden => hidden::cases(aspect, seed),
+        }
+    }
 }
 
 /// One thing that is graded.
@@ -107,6 +127,7 @@ pub const LABS: &[Lab] = &[
         summary: "edges by the diamond-exit rule",
         aspects: &[LINES, OUTLINES, SHORT_LINES],
         fixes_ties: false,
+        probes: Probes::Visible,
     },
     Lab {
         name: "coverage",
@@ -116,6 +137,7 @@ pub const LABS: &[Lab] = &[
             COST,
         ],
         fixes_ties: true,
+        probes: Probes::Visible,
     },
     Lab {
         name: "zbuffer",
@@ -125,12 +147,14 @@ pub const LABS: &[Lab] = &[
             EQUAL, PIERCING, RANGE, GLASS, STATE, COST,
         ],
         fixes_ties: false,
+        probes: Probes::Visible,
     },
     Lab {
         name: "gouraud",
         summary: "a z-buffer with colors interpolated in perspective",
         aspects: &[FIRST, PLACE, CHANNELS, LEVELS, POSITION, TIES, DEPTH, GOURAUD, CORNERS, PERSPECTIVE, STATE],
         fixes_ties: false,
+        probes: Probes::Visible,
     },
     Lab {
         name: "watkins",
@@ -140,18 +164,21 @@ pub const LABS: &[Lab] = &[
             EQUAL, PIERCING, RANGE, ONCE, STATE,
         ],
         fixes_ties: false,
+        probes: Probes::Visible,
     },
     Lab {
         name: "phong",
         summary: "light at every sample, from interpolated normals",
         aspects: &[FIRST, PLACE, LEVELS, POSITION, TIES, DEPTH, LIGHT, STATE],
         fixes_ties: false,
+        probes: Probes::Visible,
     },
     Lab {
         name: "supersampling",
         summary: "several samples a pixel, averaged",
         aspects: &[FIRST, PLACE, LEVELS, POSITION, TIES, DEPTH, SAMPLES, STATE],
         fixes_ties: false,
+        probes: Probes::Visible,
     },
 ];
 

@@ -11,6 +11,7 @@
 //! Cost: a few hundred samples a probe.
 
 mod area_rules;
+pub mod bundle;
 pub mod case;
 mod cases;
 mod covered;
@@ -20,6 +21,8 @@ pub mod extremes;
 pub mod folder;
 pub mod functions;
 pub mod handout;
+pub mod hidden;
+pub mod html;
 pub mod labs;
 pub mod light_rules;
 mod lighting;
@@ -31,6 +34,7 @@ mod memory;
 pub mod mutants;
 pub mod paint;
 mod pairs;
+pub mod pictures;
 pub mod pixel_rules;
 mod pixels;
 mod place;

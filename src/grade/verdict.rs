@@ -102,12 +102,15 @@ pub struct AspectVerdict {
     pub witness: Option<Witness>,
     /// In labs about functions: its questions, in place of shots.
     pub answers: Option<Answers>,
+    /// Seconds that its pictures or questions took.
+    pub seconds: f64,
 }
 
 impl AspectVerdict {
     pub(super) fn blank(aspect: &Aspect, most: f64) -> AspectVerdict {
         let Aspect { name, asks, .. } = *aspect;
-        AspectVerdict { name, asks, most, earned: 0.0, shots: Vec::new(), cause: None, witness: None, answers: None }
+        let (earned, seconds, shots) = (0.0, 0.0, Vec::new());
+        AspectVerdict { name, asks, most, earned, shots, cause: None, witness: None, answers: None, seconds }
     }
 
     /// Wrong pixels of all its cases; wrong answers of a function.
@@ -166,7 +169,8 @@ pub struct Verdict {
 
 impl Verdict {
     /// Nothing asked yet.
-    pub(super) fn blank(request: &Request<'_>) -> Verdict {
+    #[must_use]
+    pub fn blank(request: &Request<'_>) -> Verdict {
         let aspects = request.lab.aspects.iter();
         Verdict {
             lab: request.lab.name,
@@ -186,6 +190,13 @@ impl Verdict {
     #[must_use]
     pub fn most(&self) -> f64 {
         self.aspects.iter().map(|aspect| aspect.most).sum()
+    }
+
+    /// Pictures were asked for and not one came.
+    #[must_use]
+    pub fn is_blank(&self) -> bool {
+        let mut shots = self.aspects.iter().flat_map(|aspect| &aspect.shots).peekable();
+        shots.peek().is_some() && shots.all(|shot| shot.answer.is_err())
     }
 
     /// Nothing is found wanting but what is accepted.
@@ -212,14 +223,19 @@ pub fn grade(subject: &dyn Subject, request: &Request<'_>, progress: &mut dyn Fn
     let start = Instant::now();
     let mut verdict = Verdict::blank(request);
     for (index, aspect) in request.lab.aspects.iter().enumerate() {
-        for (case, answer) in drawn(subject, (aspect.cases)(request.seed)) {
+        for (case, answer) in drawn(subject, request.lab.cases(aspect, request.seed)) {
             let shot = shoot(subject, case, answer, aspect.watch);
-            verdict.aspects[index].shots.push(shot);
-            verdict.seconds = start.elapsed().as_secs_f64();
+            let aspect = &mut verdict.aspects[index];
+            aspect.shots.push(shot);
+            let seconds = start.elapsed().as_secs_f64();
+            aspect.seconds += seconds - verdict.seconds;
+            verdict.seconds = seconds;
             progress(&verdict);
         }
         if aspect.watch == Watch::Cost {
-            verdict.aspects[index].cause = watch::cost(subject).map(Cause::Other);
+            let nothing = || "no picture came, so no time could be measured".to_string();
+            let cost = if verdict.is_blank() { Some(nothing()) } else { watch::cost(subject) };
+            verdict.aspects[index].cause = cost.map(Cause::Other);
         }
         let now = &mut verdict.aspects[index];
         now.earned = now.points_by_cases();

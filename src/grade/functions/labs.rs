@@ -1,5 +1,6 @@
 //! Labs about functions: their aspects and points. The questions stand with each lab.
 
+use crate::grade::hidden::Probes;
 use crate::grade::labs::{Aspect, Lab, Watch};
 
 const fn aspect(name: &'static str, asks: &'static str, points: u32) -> Aspect {
@@ -26,6 +27,7 @@ pub const FUNCTION_LABS: &[Lab] = &[
             aspect("last places", "no new corner is outside a plane, not even by a last place", 5),
         ],
         fixes_ties: false,
+        probes: Probes::Visible,
     },
     Lab {
         name: "triangulate",
@@ -42,5 +44,6 @@ pub const FUNCTION_LABS: &[Lab] = &[
             aspect("sizes", "the same at 2^-300 and 2^300 times the size, and nearly straight corners", 5),
         ],
         fixes_ties: false,
+        probes: Probes::Visible,
     },
 ];

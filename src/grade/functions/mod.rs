@@ -15,6 +15,7 @@ mod triangulate;
 
 pub use labs::FUNCTION_LABS;
 
+use super::hidden::Probes;
 use super::labs::Aspect;
 use super::verdict::{Answers, AspectVerdict, Request, Verdict};
 use crate::raster::functions::{ClipFunction, TriangulateFunction};
@@ -99,16 +100,19 @@ fn run<E: Exercise>(exercise: &E, request: &Request<'_>, progress: &mut dyn FnMu
     let start = Instant::now();
     let mut verdict = Verdict::blank(request);
     let mut asked: Vec<Vec<Asked<E>>> = Vec::new();
+    // Hidden questions are those of a seed that no small number is.
+    let seed = if request.lab.probes == Probes::Hidden { request.seed ^ 0x000F_AB1E << 32 } else { request.seed };
     for (Aspect { name, .. }, now) in request.lab.aspects.iter().zip(0..) {
-        let answers: Vec<_> =
-            exercise.cases(name, request.seed).into_iter().map(|case| Asked::new(exercise, case)).collect();
+        let answers: Vec<_> = exercise.cases(name, seed).into_iter().map(|case| Asked::new(exercise, case)).collect();
         let wrong = answers.iter().filter(|asked| asked.complaint.is_some()).count();
         let aspect: &mut AspectVerdict = &mut verdict.aspects[now];
         let judged = answers.len();
         aspect.earned = aspect.most * (judged - wrong) as f64 / judged.max(1) as f64;
         aspect.answers = Some(Answers { wrong, judged, unit: exercise.unit(), witness: String::new() });
         asked.push(answers);
-        verdict.seconds = start.elapsed().as_secs_f64();
+        let seconds = start.elapsed().as_secs_f64();
+        aspect.seconds = seconds - verdict.seconds;
+        verdict.seconds = seconds;
         progress(&verdict);
     }
     explain::explain(exercise, &mut asked, &mut verdict);

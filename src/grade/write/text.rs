@@ -132,3 +132,15 @@ fn witness_text(witness: &Witness) -> String {
 fn color([r, g, b]: [u8; 3]) -> String {
     format!("{r},{g},{b}")
 }
+
+/// How hidden probes ended, for whoever has their seed: points and names, no picture of them.
+#[must_use]
+pub fn hidden_text(verdict: &Verdict) -> String {
+    let mut text = "hidden probes\n".to_string();
+    for aspect in verdict.aspects.iter().filter(|aspect| aspect.most > 0.0) {
+        let (earned, most) = (points(aspect.earned), points(aspect.most));
+        let _ = writeln!(text, "  {earned:>5} /{most:>5}  {:<16} {}", aspect.name, status(aspect, verdict));
+    }
+    let _ = writeln!(text, "  {:>5} /{:>5}  in all\n", points(verdict.earned()), points(verdict.most()));
+    text
+}

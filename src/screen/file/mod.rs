@@ -35,11 +35,13 @@ use crate::plan::Transparency;
 use words::{Layout, Words};
 
 /// Example readers of v2 files, each of at most 40 lines: file name and text. A lab hands them out with its files.
-pub const READERS: [(&str, &str); 4] = [
+pub const READERS: [(&str, &str); 6] = [
     ("reader.c", include_str!("readers/reader.c")),
     ("reader.cpp", include_str!("readers/reader.cpp")),
     ("Reader.java", include_str!("readers/Reader.java")),
     ("reader.py", include_str!("readers/reader.py")),
+    ("reader.rs", include_str!("readers/reader.rs")),
+    ("reader.js", include_str!("readers/reader.js")),
 ];
 
 /// What a picture depends on besides the draw list.
