@@ -1,5 +1,6 @@
 //! `farop grade`: what is wrong with a rasterizer or a function, why, and the smallest case that shows it.
 
+use super::class::ClassOptions;
 use super::error::{self, CliError, notice};
 use super::scenes::{Chosen, find_rasterizer};
 use crate::grade::folder::Pictures;
@@ -16,13 +17,13 @@ use std::time::{Duration, SystemTime};
 /// Grade a rasterizer: points, the mistake by its name, the smallest case
 #[derive(Args)]
 #[command(
-    after_help = "Examples:\n  farop grade zbuffer -r mine --witness small.scr\n  farop grade zbuffer --pictures pictures"
+    after_help = "Examples:\n  farop grade zbuffer -r mine --witness small.scr\n  farop grade zbuffer --class submissions --jobs 4"
 )]
 pub(super) struct GradeCommand {
     /// Which lab (`farop list labs` has the names)
     lab: String,
     /// Rasterizer; in `clip` and `triangulate` a function
-    #[arg(short, long, value_name = "NAME", required_unless_present_any = ["pictures", "hint"])]
+    #[arg(short, long, value_name = "NAME", required_unless_present_any = ["pictures", "hint", "folder"])]
     rasterizer: Option<String>,
     /// Folder of PPM or PNG pictures drawn elsewhere from the files of `farop suite LAB`
     #[arg(long, value_name = "DIR", conflicts_with = "rasterizer")]
@@ -54,6 +55,8 @@ pub(super) struct GradeCommand {
     /// The verdict as JSON on standard output
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    class: ClassOptions,
 }
 
 impl GradeCommand {
@@ -71,6 +74,9 @@ impl GradeCommand {
             let name = self.rasterizer.as_deref().unwrap_or("zbuffer");
             return super::extremes::run(lab, (name, registry), self.witness.as_deref(), self.json);
         }
+        if self.class.folder.is_some() {
+            return self.class.run(lab, (self.seed, self.rubric.as_deref()), self.json);
+        }
         let rubric = self.read_rubric(lab)?;
         if !self.watch {
             return self.grade(lab, &rubric, registry);
@@ -79,10 +85,7 @@ impl GradeCommand {
     }
 
     fn read_rubric(&self, lab: &Lab) -> Result<Rubric, CliError> {
-        let Some(path) = &self.rubric else { return Ok(Rubric::default()) };
-        let text = std::fs::read_to_string(path)
-            .map_err(|error| CliError::failed(format!("cannot read {}: {error}", path.display())))?;
-        Rubric::parse(&text, lab).map_err(|error| CliError::failed(format!("{}: {error}", path.display())))
+        read_rubric(self.rubric.as_deref(), lab)
     }
 
     fn grade(&self, lab: &Lab, rubric: &Rubric, registry: &Registry) -> Result<(), CliError> {
@@ -193,6 +196,14 @@ impl GradeCommand {
             }
         }
     }
+}
+
+/// The rubric in a file; each aspect's own points without one.
+pub(super) fn read_rubric(path: Option<&Path>, lab: &Lab) -> Result<Rubric, CliError> {
+    let Some(path) = path else { return Ok(Rubric::default()) };
+    let text = std::fs::read_to_string(path)
+        .map_err(|error| CliError::failed(format!("cannot read {}: {error}", path.display())))?;
+    Rubric::parse(&text, lab).map_err(|error| CliError::failed(format!("{}: {error}", path.display())))
 }
 
 pub(super) fn is_about_function(lab: &Lab) -> bool {

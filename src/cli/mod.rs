@@ -9,6 +9,7 @@
 
 mod bench;
 mod check;
+mod class;
 mod compare;
 mod convert;
 mod dump;
@@ -23,6 +24,7 @@ mod options;
 mod plan;
 mod raster;
 mod render;
+mod sandbox;
 mod scenes;
 mod stages;
 mod stats;
@@ -101,6 +103,7 @@ enum Command {
     Lab(lab::LabCommand),
     Bench(bench::BenchCommand),
     Grade(grade::GradeCommand),
+    Sandbox(sandbox::SandboxCommand),
     Convert(convert::ConvertCommand),
     Generate(generate::GenerateCommand),
     Plan(plan::PlanCommand),
@@ -145,6 +148,7 @@ impl Command {
             Command::Lab(command) => command.run(registry),
             Command::Bench(command) => command.run(registry),
             Command::Grade(command) => command.run(registry),
+            Command::Sandbox(command) => command.run(),
             Command::Convert(command) => command.run(),
             Command::Generate(command) => command.run(),
             Command::Plan(command) => command.run(registry),

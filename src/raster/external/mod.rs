@@ -28,6 +28,7 @@ mod misbehave;
 mod process;
 mod strict;
 
+pub use answer::{write_floats, write_remarked};
 pub use failure::ExternalFailure;
 pub use jail::enter as enter_jail;
 pub use library::{layout as library_layout, serve as serve_library};
@@ -69,7 +70,15 @@ pub fn host() -> Option<&'static Path> {
 /// # Errors
 /// [`ExternalFailure::CannotStart`]; all else is in the result.
 pub fn run(words: &[OsString], limits: &Limits) -> Result<Run, ExternalFailure> {
-    process::run(words, host(), Vec::new(), limits)
+    ask(words, Vec::new(), limits)
+}
+
+/// As [`run`], with `input` on standard input.
+///
+/// # Errors
+/// As [`run`].
+pub fn ask(words: &[OsString], input: Vec<u8>, limits: &Limits) -> Result<Run, ExternalFailure> {
+    process::run(words, host(), input, limits)
 }
 
 /// A rasterizer outside farop.
@@ -96,6 +105,8 @@ pub struct Answer {
     pub image: Image,
     /// Which limits the system enforced.
     pub enforced: Enforced,
+    /// What a program of ours says besides: see [`write_remarked`].
+    pub remark: Option<String>,
 }
 
 impl External {
@@ -164,7 +175,7 @@ impl External {
             Some(failure) => Err(self.complete(failure, list)),
             None => {
                 let image = answer::read(&run.stdout, (list.width, list.height), &run.stderr)?;
-                Ok(Answer { image, enforced: run.enforced })
+                Ok(Answer { image, enforced: run.enforced, remark: answer::remark(&run.stdout) })
             }
         }
     }
@@ -193,7 +204,8 @@ impl External {
             return None;
         }
         let images = answer::read_all(&run.stdout, lists.iter().map(|list| (list.width, list.height)))?;
-        Some(images.into_iter().map(|image| Answer { image, enforced: run.enforced }).collect())
+        let answer = |(image, remark)| Answer { image, enforced: run.enforced, remark };
+        Some(images.into_iter().map(answer).collect())
     }
 
     /// The command to start.
