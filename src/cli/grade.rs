@@ -1,5 +1,6 @@
 //! `farop grade`: what is wrong with a rasterizer or a function, why, and the smallest case that shows it.
 
+use super::class::ClassOptions;
 use super::error::{self, CliError, notice};
 use super::results::{Ledger, ResultOptions};
 use super::scenes::{Chosen, find_rasterizer};
@@ -23,13 +24,13 @@ type Judged = (Verdict, Option<Verdict>);
 /// Grade a rasterizer: points, the mistake by its name, the smallest case
 #[derive(Args)]
 #[command(
-    after_help = "Examples:\n  farop grade zbuffer -r mine --witness small.scr\n  farop grade zbuffer --pictures pictures"
+    after_help = "Examples:\n  farop grade zbuffer -r mine --witness small.scr\n  farop grade zbuffer --class submissions --jobs 4"
 )]
 pub(super) struct GradeCommand {
     /// Which lab (`farop list labs` has the names)
     lab: String,
     /// Rasterizer; in `clip` and `triangulate` a function
-    #[arg(short, long, value_name = "NAME", required_unless_present_any = ["pictures", "submission", "hint", "bundle"])]
+    #[arg(short, long, value_name = "NAME", required_unless_present_any = ["pictures", "submission", "hint", "bundle", "folder"])]
     rasterizer: Option<String>,
     /// Folder of PPM or PNG pictures drawn elsewhere from the files of `farop suite LAB`
     #[arg(long, value_name = "DIR", conflicts_with = "rasterizer")]
@@ -63,6 +64,8 @@ pub(super) struct GradeCommand {
     /// The verdict as JSON on standard output
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    class: ClassOptions,
 }
 
 impl GradeCommand {
@@ -82,6 +85,9 @@ impl GradeCommand {
         }
         if let Some([platform, path]) = self.bundle.as_deref() {
             return self.write_bundle((lab, &platform.to_string_lossy()), path);
+        }
+        if self.class.folder.is_some() {
+            return self.class.run(lab, (self.seed, self.rubric.as_deref()), self.json);
         }
         let rubric = self.read_rubric(lab)?;
         if !self.watch {
@@ -110,8 +116,7 @@ impl GradeCommand {
     }
 
     fn read_rubric(&self, lab: &Lab) -> Result<Rubric, CliError> {
-        let (Some(path), Some(text)) = (&self.rubric, self.rubric_text()?) else { return Ok(Rubric::default()) };
-        Rubric::parse(&text, lab).map_err(|error| CliError::failed(format!("{}: {error}", path.display())))
+        read_rubric(self.rubric.as_deref(), lab)
     }
 
     fn grade(&self, lab: &Lab, rubric: &Rubric, registry: &Registry) -> Result<(), CliError> {
@@ -244,6 +249,14 @@ impl GradeCommand {
             }
         }
     }
+}
+
+/// The rubric in a file; each aspect's own points without one.
+pub(super) fn read_rubric(path: Option<&Path>, lab: &Lab) -> Result<Rubric, CliError> {
+    let Some(path) = path else { return Ok(Rubric::default()) };
+    let text = std::fs::read_to_string(path)
+        .map_err(|error| CliError::failed(format!("cannot read {}: {error}", path.display())))?;
+    Rubric::parse(&text, lab).map_err(|error| CliError::failed(format!("{}: {error}", path.display())))
 }
 
 pub(super) fn is_about_function(lab: &Lab) -> bool {

@@ -233,9 +233,8 @@ pub fn grade(subject: &dyn Subject, request: &Request<'_>, progress: &mut dyn Fn
             progress(&verdict);
         }
         if aspect.watch == Watch::Cost {
-            let nothing = || "no picture came, so no time could be measured".to_string();
-            let cost = if verdict.is_blank() { Some(nothing()) } else { watch::cost(subject) };
-            verdict.aspects[index].cause = cost.map(Cause::Other);
+            let words = if verdict.is_blank() { Some(watch::NOTHING.to_string()) } else { watch::cost(subject) };
+            verdict.aspects[index].cause = words.map(Cause::Other);
         }
         let now = &mut verdict.aspects[index];
         now.earned = now.points_by_cases();
