@@ -12,6 +12,7 @@ pub mod area;
 pub mod blend;
 pub mod cover;
 pub mod elevation;
+pub mod invent;
 mod land;
 pub mod paint;
 pub mod place;
