@@ -92,8 +92,11 @@ fn conifer(tree: &mut Skeleton, plan: &Plan, chance: &mut Chance) {
     for whorl in 0..whorls {
         let share = whorl as f64 / whorls as f64;
         let y = base + (0.975 - base) * share;
-        let longest =
-            0.5 * plan.width * (1.0 - share).max(0.0).sqrt() * (1.0 - 0.62 * share) * if whorl < 2 { 0.8 } else { 1.0 };
+        let longest = 0.55
+            * plan.width
+            * (1.0 - share).max(0.0).sqrt()
+            * (1.0 - 0.58 * share)
+            * if whorl < 2 { 0.8 } else { 1.0 };
         let branches = 9;
         let turn = chance.between(0.0, PI);
         for branch in 0..branches {

@@ -274,7 +274,7 @@ impl Site<'_> {
         let z = ground(at);
         if z.is_finite() {
             let count = u64::from(self.pictures[stand]);
-            let own = || (mix64(u64::from(place[0]) << 16 | u64::from(place[1])) >> 32) * count >> 32;
+            let own = || ((mix64((u64::from(place[0]) << 16) | u64::from(place[1])) >> 32) * count) >> 32;
             let picture = self.states[stand]
                 .and_then(|state| state.picture)
                 .map_or_else(own, |picture| u64::from(picture) % count);
