@@ -2,6 +2,7 @@
 //!
 //! grid files -parse::grids-> [`elevation`] -> [`relief`] -> Scene -> plan, geometry, any rasterizer
 //! `.fcell` text -parse::fcell-> [`area`] -> trees and ground around the observer -> Scene
+//! seed -[`invent`]-> [`area`] -[`place`], [`cover`]-> trees, numbers of grounds; [`paint`] -> their pictures
 //!
 //! Why before the readers: a grid of heights is a value like a scene; `parse` fills it, this room thins it out. A relief ends as an
 //! ordinary [`Scene`](crate::scene::Scene), so every rasterizer, lab and check takes it like any other.
@@ -9,5 +10,13 @@
 //! Space: metres, x east, y north, z up; grids count columns from the west and rows from the north.
 
 pub mod area;
+pub mod blend;
+pub mod cover;
 pub mod elevation;
+pub mod invent;
+mod land;
+pub mod paint;
+pub mod place;
+pub mod polygon;
+pub mod random;
 pub mod relief;
