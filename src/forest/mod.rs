@@ -20,3 +20,4 @@ pub mod place;
 pub mod polygon;
 pub mod random;
 pub mod relief;
+pub mod tree;
