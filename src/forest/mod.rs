@@ -1,7 +1,7 @@
 //! Forest: land as it is measured, and as few triangles of it as a picture needs.
 //!
 //! grid files -parse::grids-> [`elevation`] -> [`relief`] -> Scene -> plan, geometry, any rasterizer
-//! `.fcell` text -parse::fcell-> [`area`] -> trees and ground around the observer -> Scene
+//! `.fcell` text -parse::fcell-> [`area`] <-[`pack`]-> `.fpack`; [`cells`] -> trees and ground around the observer -> Scene
 //! seed -[`invent`]-> [`area`] -[`place`], [`cover`]-> trees, numbers of grounds; [`paint`] -> their pictures
 //!
 //! Why before the readers: a grid of heights is a value like a scene; `parse` fills it, this room thins it out. A relief ends as an
@@ -11,12 +11,15 @@
 
 pub mod area;
 pub mod blend;
+pub mod cells;
 pub mod cover;
 pub mod elevation;
 pub mod invent;
 mod land;
+pub mod pack;
 pub mod paint;
 pub mod place;
 pub mod polygon;
 pub mod random;
 pub mod relief;
+pub mod tree;
