@@ -9,7 +9,14 @@
 //! Space: metres, x east, y north, z up; grids count columns from the west and rows from the north.
 
 pub mod area;
+mod land;
+pub mod blend;
 pub mod cells;
+pub mod cover;
 pub mod elevation;
 pub mod pack;
+pub mod paint;
+pub mod place;
+pub mod polygon;
+pub mod random;
 pub mod relief;
