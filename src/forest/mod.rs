@@ -9,14 +9,20 @@
 //! Space: metres, x east, y north, z up; grids count columns from the west and rows from the north.
 
 pub mod area;
-mod land;
 pub mod blend;
 pub mod cells;
 pub mod cover;
+pub mod detail;
 pub mod elevation;
+pub mod frame;
+pub mod frustum;
+mod land;
 pub mod pack;
 pub mod paint;
+pub mod pictures;
 pub mod place;
 pub mod polygon;
 pub mod random;
 pub mod relief;
+pub mod terrain;
+pub mod window;
