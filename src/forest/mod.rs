@@ -16,6 +16,7 @@ pub mod detail;
 pub mod elevation;
 pub mod frame;
 pub mod frustum;
+pub mod invent;
 mod land;
 pub mod pack;
 pub mod paint;
