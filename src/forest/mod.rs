@@ -9,5 +9,6 @@
 //! Space: metres, x east, y north, z up; grids count columns from the west and rows from the north.
 
 pub mod area;
+pub mod collide;
 pub mod elevation;
 pub mod relief;

@@ -11,6 +11,7 @@
 mod file;
 pub mod flip;
 pub mod metrics;
+pub mod movie;
 mod picture;
 mod planes;
 mod png;
