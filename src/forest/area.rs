@@ -18,6 +18,11 @@ use std::collections::BTreeMap;
 /// Column and row of a cell: cell (0, 0) has its south-west corner at the origin; rows run north.
 pub type CellIndex = [i32; 2];
 
+/// The most trees a hectare that a stand may have: seedlings on a bed.
+pub const MOST_DENSITY: f64 = 20_000.0;
+/// The least height, crown or width of anything, in metres.
+pub const SMALLEST: f64 = 0.01;
+
 /// Everything about an area that is not in one cell.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Head {

@@ -1,7 +1,7 @@
 //! Forest: land as it is measured, and as few triangles of it as a picture needs.
 //!
 //! grid files -parse::grids-> [`elevation`] -> [`relief`] -> Scene -> plan, geometry, any rasterizer
-//! `.fcell` text -parse::fcell-> [`area`] -> trees and ground around the observer -> Scene
+//! `.fcell` text -parse::fcell-> [`area`] <-[`pack`]-> `.fpack`; [`cells`] -> trees and ground around the observer -> Scene
 //!
 //! Why before the readers: a grid of heights is a value like a scene; `parse` fills it, this room thins it out. A relief ends as an
 //! ordinary [`Scene`](crate::scene::Scene), so every rasterizer, lab and check takes it like any other.
@@ -10,5 +10,7 @@
 
 pub mod area;
 pub mod collide;
+pub mod cells;
 pub mod elevation;
+pub mod pack;
 pub mod relief;

@@ -10,6 +10,7 @@
 mod area;
 mod bezier;
 pub mod built_in;
+mod fcell;
 mod foreign;
 mod ftri;
 mod grids;
@@ -26,6 +27,7 @@ pub use input::{INPUT_LIMIT, LINE_LIMIT};
 pub use load::{Format, load};
 
 use crate::diagnostic::Diagnostics;
+use crate::forest::area::Area;
 use crate::scene::{Camera, NormalSource, Scene, Triangles};
 use std::path::Path;
 
@@ -88,6 +90,25 @@ impl Parsed {
 /// ```
 pub fn read_nff(name: &str, text: &[u8], options: ParseOptions) -> Result<Parsed, Diagnostics> {
     nff::read(&input::read_annotated_source(name, text)?, options)
+}
+
+/// Reads `.fcell` text from memory: an area of forest; `name` is what messages and [`Head::files`](crate::forest::area::Head::files) call it.
+///
+/// With the area comes what is worth knowing about how it was read. Grids that it names are looked for in the current folder;
+/// [`load`] looks beside the file it reads.
+///
+/// # Errors
+/// Up to 20 mistakes of the text, each with its place.
+///
+/// ```
+/// let text = b"fcell 1\ncell 0 0 size 240\ndem 2 2 z0 400 dz 0.5\n 0 0 10 -\nend\n";
+/// let (area, _) = farop::parse::read_fcell("hill.fcell", text).expect("it is legal");
+/// assert_eq!(area.cells[&[0, 0]].ground.sample(0, 1), 405.0);
+/// let error = farop::parse::read_fcell("hill.fcell", b"fcell 1\ncel 0 0").expect_err("a mistake");
+/// assert!(error.to_string().contains("did you mean `cell`?"));
+/// ```
+pub fn read_fcell(name: &str, text: &[u8]) -> Result<(Area, Diagnostics), Diagnostics> {
+    fcell::read(&input::read_source(name, text)?, Path::new(""))
 }
 
 /// Reads `.ftri` triangles from memory; `name` is what messages and [`Scene::files`] call them.
