@@ -1,5 +1,6 @@
 //! The command: what is asked for, reading and merging, and where the relief goes.
 
+use super::progressive::{receive, send};
 use super::relief::Made;
 use super::report;
 use crate::cli::error::{self, CliError, notice};
@@ -26,7 +27,7 @@ use std::path::{Path, PathBuf};
     after_help = "Examples:\n  farop terrain N42E001.hgt.gz --error 50 -o relief.nff\n  farop terrain N41E001.hgt N42E001.hgt --triangles 5000 -o map.png"
 )]
 pub(in crate::cli) struct TerrainCommand {
-    /// Grids: .hgt, .dt0 .dt1 .dt2, .asc, .png, each also with .gz; neighbors merge
+    /// Grids: .hgt, .dt0 .dt1 .dt2, .asc, .png, each also with .gz; neighbors merge. Or one .frel
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
     /// Scene (.nff, .sipp) or picture (.png, .ppm) to write; without it, the figures only
@@ -41,6 +42,12 @@ pub(in crate::cli) struct TerrainCommand {
     pub(super) view: View,
     #[command(flatten)]
     reading: Reading,
+    /// Write a stream of halvings to -o FILE.frel: any beginning of it is a relief
+    #[arg(long, requires = "output")]
+    progressive: bool,
+    /// Measure the errors of a .frel (whole or cut) against this grid
+    #[arg(long, value_name = "FILE")]
+    against: Option<PathBuf>,
     /// The figures as JSON
     #[arg(long)]
     json: bool,
@@ -175,6 +182,7 @@ impl TerrainCommand {
     pub fn run(self: Box<Self>, registry: &Registry) -> Result<(), CliError> {
         if let Some(path) = &self.output
             && !is_scene(path)
+            && !self.progressive
         {
             encode_for(path, &crate::image::Picture::filled(1, 1, [0; 3])).map_err(|error| {
                 CliError::failed(format!(
@@ -183,10 +191,11 @@ impl TerrainCommand {
             })?;
         }
         let rasterizer = find_rasterizer(registry, self.view.rasterizer())?;
-        let (merged, filled) = self.read()?;
+        let (merged, filled, made) = self.relief()?;
         let grid = &merged.grid;
-        let camera = self.view.camera(grid, self.wanted.criterion);
-        let made = Made::new(&self, grid, &camera)?;
+        if let Some(path) = self.output.as_ref().filter(|_| self.progressive) {
+            return error::print(&send(path, grid)?);
+        }
         let text = if self.json {
             report::json(&merged, &filled, &made)?
         } else {
@@ -194,7 +203,7 @@ impl TerrainCommand {
         };
         if let Some(path) = &self.output {
             let mut scene = to_scene(grid, &made.mesh, &self.view.colors(grid));
-            scene.camera = Some(Camera { resolution: self.view.size.unwrap_or(camera.resolution), ..made.camera });
+            scene.camera = Some(Camera { resolution: self.view.size.unwrap_or(made.camera.resolution), ..made.camera });
             if is_scene(path) {
                 write_scene(path, &scene)?;
             } else {
@@ -207,8 +216,30 @@ impl TerrainCommand {
         error::print(&text)
     }
 
+    /// The inputs.
+    pub(super) fn files(&self) -> &[PathBuf] {
+        &self.files
+    }
+
+    /// What a stream is measured against.
+    pub(super) fn against(&self) -> Option<&PathBuf> {
+        self.against.as_ref()
+    }
+
+    /// The relief that is asked for, or that a stream holds.
+    fn relief(&self) -> Result<(Merged, Filled, Made), CliError> {
+        let camera = |grid: &Grid| self.view.camera(grid, self.wanted.criterion);
+        if let Some(stream) = self.stream()? {
+            let known = self.against.as_ref().map(|path| self.read(std::slice::from_ref(path))).transpose()?;
+            return receive(stream, known.as_ref().map(|(merged, _)| &merged.grid), camera);
+        }
+        let (merged, filled) = self.read(&self.files)?;
+        let made = Made::new(self, &merged.grid, &camera(&merged.grid))?;
+        Ok((merged, filled, made))
+    }
+
     /// Reads, merges and fills.
-    fn read(&self) -> Result<(Merged, Filled), CliError> {
+    fn read(&self, files: &[PathBuf]) -> Result<(Merged, Filled), CliError> {
         let reading = &self.reading;
         if reading.spacing <= 0.0 {
             return Err(CliError::failed(format!("--spacing {}: write a number of metres above 0", reading.spacing)));
@@ -219,7 +250,7 @@ impl TerrainCommand {
         let load = |path: &PathBuf| {
             load_grid(path, &options).map_err(|errors| CliError::Diagnosed(errors.render(error::stderr_has_color())))
         };
-        let grids = self.files.iter().map(load).collect::<Result<Vec<Grid>, CliError>>()?;
+        let grids = files.iter().map(load).collect::<Result<Vec<Grid>, CliError>>()?;
         let mut merged = merge(grids).map_err(CliError::failed)?;
         let filled = fill_voids(&mut merged.grid, self.fill);
         let grid = &merged.grid;

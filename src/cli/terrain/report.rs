@@ -57,11 +57,15 @@ fn relief(made: &Made) -> String {
             "states     {selected} vertices selected, {fictitious} fictitious; {junctions} edges with a vertex within"
         );
     }
-    let _ = writeln!(
-        text,
-        "error      largest {:.2} m, RMSE {:.2} m, SSD {:.4e} m2, over {} samples",
-        found.largest, found.rmse, found.ssd, found.samples
-    );
+    if found.rmse.is_nan() {
+        text += "error      not measured: name the grid it was made of with --against\n";
+    } else {
+        let _ = writeln!(
+            text,
+            "error      largest {:.2} m, RMSE {:.2} m, SSD {:.4e} m2, over {} samples",
+            found.largest, found.rmse, found.ssd, found.samples
+        );
+    }
     if found.uncovered > 0 {
         let _ = writeln!(text, "holes      {} samples beside voids lie under no triangle", found.uncovered);
     }

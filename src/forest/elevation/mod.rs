@@ -102,6 +102,11 @@ impl Grid {
         &self.heights
     }
 
+    /// All heights, to be changed.
+    pub(in crate::forest) fn heights_mut(&mut self) -> &mut [f32] {
+        &mut self.heights
+    }
+
     /// One row of heights, counted from the north.
     ///
     /// # Panics

@@ -44,6 +44,13 @@ impl<'a> Hierarchy<'a> {
         hierarchy
     }
 
+    /// The same without any bound: for a mesh whose halvings are known.
+    #[must_use]
+    pub fn without_bounds(grid: &'a Grid) -> Hierarchy<'a> {
+        let lattice = Lattice::new(grid);
+        Hierarchy { grid, lattice, has_voids: grid.voids() > 0, bounds: Field::new(&lattice, 0.0) }
+    }
+
     /// The height at a point of the square, in metres; beyond the grid, of the nearest sample. Not a number in a void.
     #[must_use]
     #[inline]

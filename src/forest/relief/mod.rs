@@ -12,6 +12,7 @@
 //! | [`criterion`] | what is worth halving: error, error seen from the eye, the paper's three factors |
 //! | [`frontier`] | the mesh that follows the observer: two queues |
 //! | [`budget`] | the best mesh of so many triangles |
+//! | [`progressive`] | a stream of halvings, of which any beginning is a relief |
 //! | [`strip`] | one strip of triangles over the whole relief |
 //! | [`quality`] | how far the mesh is from all samples |
 //! | [`scene`] | vertices in metres, normals, colors by height |
@@ -26,6 +27,7 @@ pub mod frontier;
 pub mod hierarchy;
 pub mod lattice;
 pub mod mesh;
+pub mod progressive;
 pub mod quality;
 pub mod scan;
 pub mod scene;
