@@ -9,8 +9,9 @@
 //! Space: metres, x east, y north, z up; grids count columns from the west and rows from the north.
 
 pub mod area;
-pub mod collide;
 pub mod cells;
+pub mod collide;
 pub mod elevation;
+pub mod heights;
 pub mod pack;
 pub mod relief;

@@ -12,6 +12,7 @@ mod bezier;
 pub mod built_in;
 mod fcell;
 mod foreign;
+mod forest;
 mod ftri;
 mod grids;
 mod input;
@@ -22,6 +23,7 @@ mod tokens;
 mod wording;
 
 pub use bezier::Net as BezierNet;
+pub use forest::load_area;
 pub use grids::{GridOptions, load_grid, read_grid};
 pub use input::{INPUT_LIMIT, LINE_LIMIT};
 pub use load::{Format, load};
