@@ -15,3 +15,4 @@ pub mod elevation;
 pub mod heights;
 pub mod pack;
 pub mod relief;
+pub mod silhouette;

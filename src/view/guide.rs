@@ -11,7 +11,7 @@ use super::stages::short;
 use crate::math::Vec3;
 use crate::model::{bounding_ball, bounding_ball_of_mesh};
 use crate::plan::View;
-use crate::scene::Scene;
+use crate::scene::{Camera, Scene};
 
 /// Something with a name.
 #[derive(Clone, Debug, PartialEq)]
@@ -105,10 +105,17 @@ pub(super) fn names(board: &mut Board, landmarks: &[Landmark], view: &View, scal
     }
 }
 
+/// Draws the compass and the names of landmarks over a picture that `camera` has seen.
+pub fn over(board: &mut Board, camera: &Camera, view: &View, landmarks: &[Landmark]) {
+    let scale = if board.height() > 1400 { 2 } else { 1 };
+    names(board, landmarks, view, scale);
+    compass(board, &Eye::new(camera), scale);
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{Camera, Place};
+    use crate::scene::Place;
 
     #[test]
     fn north_is_ahead_and_east_is_right() {
