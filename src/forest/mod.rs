@@ -9,10 +9,17 @@
 //! Space: metres, x east, y north, z up; grids count columns from the west and rows from the north.
 
 pub mod area;
+pub mod blend;
 pub mod cells;
 pub mod collide;
+pub mod cover;
 pub mod elevation;
 pub mod heights;
+mod land;
 pub mod pack;
+pub mod paint;
+pub mod place;
+pub mod polygon;
+pub mod random;
 pub mod relief;
 pub mod silhouette;

@@ -1,0 +1,67 @@
+//! All pictures that the program paints, on two sheets: trees as wide as they are painted for, grounds two by two.
+//!
+//! `cargo run --example painted -- FOLDER` writes `trees.png` and `grounds.png` there.
+
+use farop::forest::area::Form;
+use farop::forest::paint::{GROUNDS, SIDE, VARIANTS, aspect, named, tree};
+use farop::image::Picture;
+use farop::image::textures::Texels;
+
+/// A sheet of pixels, white at first.
+struct Sheet {
+    width: usize,
+    height: usize,
+    rgb: Vec<u8>,
+}
+
+impl Sheet {
+    fn new(width: usize, height: usize) -> Sheet {
+        Sheet { width, height, rgb: [200, 214, 230].repeat(width * height) }
+    }
+
+    /// Pastes a picture, `width` pixels wide and `height` high.
+    fn paste(&mut self, texels: &Texels, at: [usize; 2], size: [usize; 2]) {
+        for y in 0..size[1] {
+            for x in 0..size[0] {
+                let texel = texels.at((x * SIDE / size[0]) as u32, (SIDE - 1 - y * SIDE / size[1]) as u32);
+                let index = 3 * ((at[1] + y) * self.width + at[0] + x);
+                for channel in 0..3 {
+                    let (over, under) = (u32::from(texel[channel]), u32::from(self.rgb[index + channel]));
+                    let alpha = u32::from(texel[3]);
+                    self.rgb[index + channel] = ((over * alpha + under * (255 - alpha)) / 255) as u8;
+                }
+            }
+        }
+    }
+
+    fn save(self, path: &std::path::Path) -> Result<(), Box<dyn std::error::Error>> {
+        Ok(Picture::from_rgb(self.width, self.height, self.rgb)?.save(path)?)
+    }
+}
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let folder = std::path::PathBuf::from(std::env::args().nth(1).unwrap_or_else(|| ".".to_string()));
+    let mut trees = Sheet::new(1000, 5 * 300);
+    for (row, (_, form)) in Form::ALL.into_iter().enumerate() {
+        let height = if form == Form::Shrub { 190 } else { 290 };
+        let width = (height as f64 * aspect(form)) as usize;
+        for variant in 0..VARIANTS {
+            trees.paste(
+                &tree(form, variant),
+                [variant as usize * 250 + 125 - width / 2, row * 300 + 295 - height],
+                [width, height],
+            );
+        }
+    }
+    trees.save(&folder.join("trees.png"))?;
+    let mut grounds = Sheet::new(3 * 340, 3 * 340);
+    for (index, name) in GROUNDS.into_iter().enumerate() {
+        let texels = named(name)?;
+        for part in 0..4 {
+            let at = [index % 3 * 340 + part % 2 * 165, index / 3 * 340 + part / 2 * 165];
+            grounds.paste(&texels, at, [165, 165]);
+        }
+    }
+    grounds.save(&folder.join("grounds.png"))?;
+    Ok(())
+}
