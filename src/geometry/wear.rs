@@ -48,8 +48,7 @@ impl Wardrobe {
         let ready = &mut self.ready[id.0 as usize];
         if ready.is_none() {
             let own = texture.cut_out.map(|cut_out| self.threshold.unwrap_or(cut_out.threshold) as f32);
-            let (name, texels, wrap) = (texture.name.as_str(), &texture.texels, texture.wrap);
-            let picture = Picture { name, texels, encoding: self.encoding, threshold: own, wrap };
+            let picture = Picture { encoding: self.encoding, threshold: own, ..Picture::of(texture) };
             *ready = Some(shader.textures.push(&picture, &self.before));
         }
         *ready

@@ -229,7 +229,7 @@ impl Survey {
     fn count_texture(&mut self, surface: &Surface, scene: &Scene) {
         let Some((_, texture)) = scene.picture_on(surface) else { return };
         self.textured_surfaces += 1;
-        self.cut_out_surfaces += usize::from(texture.cut_out.is_some());
+        self.cut_out_surfaces += usize::from(texture.has_holes());
     }
 
     fn count_mesh(&mut self, mesh: &Mesh, shiny: bool) {

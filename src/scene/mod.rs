@@ -23,7 +23,7 @@ pub use light::{Light, LightSource, SpotEdge};
 pub use material::{Material, Reflection};
 pub use mesh::{Mesh, NormalSource, Polygon};
 pub use shape::{CurveNet, PatchNet, Primitive, Shape, TeapotPart, TextureMapping};
-pub use texture::{CutOut, Texture, TextureId};
+pub use texture::{CutOut, Fade, Texture, TextureId};
 pub use tree::{InstanceBudgetExceeded, Placed, Walk};
 pub use triangles::{MAGIC, MOST_LIGHTS, TriangleKind, TriangleRange, Triangles};
 

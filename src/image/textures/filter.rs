@@ -66,6 +66,14 @@ impl Wrap {
             Wrap::Clamp => along.clamp(0.0, 1.0),
         }) as f32
     }
+
+    /// Which of `width` x `height` cells over 0 to 1 a place is in, row by row.
+    #[inline]
+    pub(super) fn cell(self, [u, v]: [f64; 2], (width, height): (u32, u32)) -> usize {
+        let column = (self.coordinate(u) * width as f32).min(width as f32 - 1.0) as usize;
+        let row = (self.coordinate(v) * height as f32).min(height as f32 - 1.0) as usize;
+        row * width as usize + column
+    }
 }
 
 impl Taps {
@@ -85,10 +93,8 @@ impl Taps {
 
     /// The texel that (u, v) is in.
     #[inline]
-    fn nearest([u, v]: [f64; 2], (width, height): (u32, u32), wrap: Wrap) -> Taps {
-        let column = (wrap.coordinate(u) * width as f32).min(width as f32 - 1.0) as usize;
-        let row = (wrap.coordinate(v) * height as f32).min(height as f32 - 1.0) as usize;
-        Taps { indices: [row * width as usize + column; 4], weights: [1.0, 0.0, 0.0, 0.0] }
+    fn nearest(place: [f64; 2], size: (u32, u32), wrap: Wrap) -> Taps {
+        Taps { indices: [wrap.cell(place, size); 4], weights: [1.0, 0.0, 0.0, 0.0] }
     }
 
     /// The weighted sum of what is `at` each texel.

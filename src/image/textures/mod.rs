@@ -18,11 +18,13 @@
 mod file;
 mod filter;
 mod mips;
+mod mosaic;
 mod repair;
 
 pub use file::{MOST_TEXELS, TextureError, decode, encode_png, read};
 pub use filter::{Filter, Sample, Wrap, level_of_detail};
 pub use mips::{Alpha, Pyramid};
+pub use mosaic::{Mosaic, Tile};
 pub use repair::{coverage, dilate};
 
 /// Red, green, blue, alpha; 8 bits each, display values, not premultiplied. Alpha 255 hides, 0 is not there.

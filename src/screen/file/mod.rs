@@ -17,6 +17,7 @@ mod classic_write;
 mod error;
 mod fit;
 mod header;
+mod mosaics;
 mod number;
 mod records;
 mod shading;

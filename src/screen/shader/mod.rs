@@ -12,15 +12,18 @@
 //! Source: Phong, "Illumination for Computer Generated Pictures", CACM 18(6), 1975, 311-317; coefficients as in NFF and SIPP.
 //! Cost: per light one square root, and one power or division where Ks > 0.
 
+mod fade;
 mod lights;
+mod picture;
 mod power;
 mod reflection;
 mod texture;
 
 pub use lights::{EyeLight, EyeSource, Spot};
+pub use picture::{Picture, TextureShading};
 pub use reflection::SurfaceShading;
 pub(crate) use texture::Seen;
-pub use texture::{Picture, TextureShading, Textures};
+pub use texture::Textures;
 
 use self::lights::Arriving;
 use super::lane::{Wide, choose, dot, unit};

@@ -13,15 +13,17 @@
 //! (rank + 1/2) / (A x A). Their share is alpha, so the pixel's mean is what blending would show, without any order. Ranks are
 //! spread over the pixel, and turned by a number of the polygon: two leaves one behind the other must not hide the same samples.
 //!
+//! Before all that a fade may leave the sample to another surface (`fade`).
+//!
 //! Space: samples. Source: Castano 2010; for ranks, Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018.
 //! Cost: one lookup a sample.
 
-use super::Shader;
-use crate::color::{Encoding, Rgb};
-use crate::image::textures::{Alpha, Filter, Pyramid, Sample, Texels, Wrap, level_of_detail};
+use super::picture::{Picture, TextureShading};
+use super::{Shader, fade};
+use crate::color::Rgb;
+use crate::image::textures::{Alpha, Filter, Sample};
 use crate::plan::{AlphaRule, TextureFilter};
 use crate::screen::ScreenPolygon;
-use std::sync::Arc;
 
 /// The pictures of one list, and how they are looked up.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,34 +38,6 @@ pub struct Textures {
     samples: u32,
     /// For each sample of a pixel, row by row: how much alpha it asks for.
     asked: Vec<f32>,
-}
-
-/// A picture made ready.
-#[derive(Clone, Debug, PartialEq)]
-pub struct TextureShading {
-    /// Where it came from.
-    pub name: String,
-    /// The picture as it was given.
-    pub texels: Arc<Texels>,
-    /// It and its means, made ready.
-    pub pyramid: Arc<Pyramid>,
-    /// What alpha must be above where the surface has holes; `None`: it has none.
-    pub threshold: Option<f32>,
-}
-
-/// A picture to make ready.
-#[derive(Clone, Copy, Debug)]
-pub struct Picture<'a> {
-    /// Where it came from.
-    pub name: &'a str,
-    /// The picture.
-    pub texels: &'a Arc<Texels>,
-    /// What its colors mean.
-    pub encoding: Encoding,
-    /// The surface has holes where alpha is not above it; `None`: alpha means nothing.
-    pub threshold: Option<f32>,
-    /// How it goes on beyond its edges.
-    pub wrap: Wrap,
 }
 
 /// What a picture makes of one sample.
@@ -99,19 +73,14 @@ impl Textures {
 
     /// Adds a picture and returns its index. Means that were made for the picture `before`, in the last frame, are used again.
     pub fn push(&mut self, picture: &Picture<'_>, before: &Textures) -> u32 {
-        let &Picture { name, texels, encoding, threshold, wrap } = picture;
-        let alpha = match (threshold, self.alpha) {
+        let alpha = match (picture.threshold, self.alpha) {
             (None, _) => Alpha::Ignored,
             (Some(_), AlphaRule::Paper) => Alpha::Paper,
             (Some(_), AlphaRule::Coverage) if self.samples > 1 => Alpha::Mean,
             (Some(threshold), _) => Alpha::Test(threshold),
         };
-        let is_same = |known: &&TextureShading| {
-            Arc::ptr_eq(&known.texels, texels) && known.pyramid.is_made_for(encoding, alpha, wrap)
-        };
-        let known = before.list.iter().find(is_same).map(|known| known.pyramid.clone());
-        let pyramid = known.unwrap_or_else(|| Arc::new(Pyramid::new(texels, encoding, alpha, wrap)));
-        self.list.push(TextureShading { name: name.to_string(), texels: texels.clone(), pyramid, threshold });
+        let shading = TextureShading::new(picture, alpha, [&self.list, &before.list]);
+        self.list.push(shading);
         (self.list.len() - 1) as u32
     }
 
@@ -171,7 +140,7 @@ impl Shader {
     #[must_use]
     #[inline]
     pub fn is_cut_out(&self, surface: u32) -> bool {
-        self.texture_of(surface).is_some_and(|texture| texture.threshold.is_some())
+        self.texture_of(surface).is_some_and(TextureShading::has_holes)
     }
 
     #[inline]
@@ -196,26 +165,24 @@ impl Shader {
         uv: [f64; 2],
     ) -> bool {
         let Some(texture) = self.texture_of(polygon.surface()) else { return true };
-        let Some(threshold) = texture.threshold else { return true };
-        let alpha = texture.pyramid.alpha(uv, self.level(polygon, texture, inverse_w, uv), self.textures.filter());
-        self.textures.is_there(alpha, threshold, sample, || turn_of(polygon))
-    }
-
-    /// The level of detail of a sample.
-    #[inline]
-    fn level(&self, polygon: &ScreenPolygon<'_>, texture: &TextureShading, inverse_w: f64, uv: [f64; 2]) -> f32 {
-        match self.textures.filter {
-            TextureFilter::Trilinear => level_of_detail(polygon.texture_slopes(inverse_w, uv), texture.pyramid.size()),
-            TextureFilter::Nearest | TextureFilter::Bilinear => 0.0,
+        if !is_shown(texture, polygon, sample) {
+            return false;
         }
+        let Some(threshold) = texture.threshold else { return true };
+        let (pyramid, place, level) = texture.look(self.textures.filter, uv, || polygon.texture_slopes(inverse_w, uv));
+        let alpha = pyramid.alpha(place, level, self.textures.filter());
+        self.textures.is_there(alpha, threshold, sample, || turn_of(polygon))
     }
 
     /// What the picture of a polygon makes of sample (x, y), where 1/w and u, v are these.
     #[inline]
     pub(crate) fn seen(&self, polygon: &ScreenPolygon<'_>, sample: (i32, i32), inverse_w: f64, uv: [f64; 2]) -> Seen {
         let Some(texture) = self.texture_of(polygon.surface()) else { return Seen::Plain };
-        let level = self.level(polygon, texture, inverse_w, uv);
-        let Sample { color, alpha } = texture.pyramid.sample(uv, level, self.textures.filter());
+        if !is_shown(texture, polygon, sample) {
+            return Seen::Hole;
+        }
+        let (pyramid, place, level) = texture.look(self.textures.filter, uv, || polygon.texture_slopes(inverse_w, uv));
+        let Sample { color, alpha } = pyramid.sample(place, level, self.textures.filter());
         match texture.threshold {
             Some(threshold) if !self.textures.is_there(alpha, threshold, sample, || turn_of(polygon)) => Seen::Hole,
             _ => Seen::Color(color),
@@ -223,12 +190,24 @@ impl Shader {
     }
 }
 
+/// Whether a fade leaves the sample to this polygon. What is one thing in the scene has one line.
+#[inline]
+fn is_shown(texture: &TextureShading, polygon: &ScreenPolygon<'_>, sample: (i32, i32)) -> bool {
+    texture.fade.is_none_or(|fade| fade::shows(fade, sample, polygon.record().source.line))
+}
+
 /// A number of the polygon's place in the scene: the same for its pieces, and wherever the camera stands.
 #[inline]
 fn turn_of(polygon: &ScreenPolygon<'_>) -> u32 {
     let source = polygon.record().source;
     let place = u64::from(source.line) << 32 | u64::from(source.number);
-    let mixed = (place ^ u64::from(polygon.surface()).rotate_left(48)).wrapping_add(0x9E37_79B9_7F4A_7C15);
+    mixed(place ^ u64::from(polygon.surface()).rotate_left(48))
+}
+
+/// 24 bits that look like chance, of any number.
+#[inline]
+pub(super) fn mixed(number: u64) -> u32 {
+    let mixed = number.wrapping_add(0x9E37_79B9_7F4A_7C15);
     let mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
     let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
     (mixed >> 40) as u32
