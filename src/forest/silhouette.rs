@@ -11,9 +11,11 @@
 //! Space: that of the scene. Source: ours. Cost: one look at every picture a scene, 2 [`BANDS`] + 2 vertices a tree.
 
 use crate::color::{Encoding, Rgb};
-use crate::image::textures::Texels;
+use crate::image::textures::{Mosaic, Texels, Wrap};
 use crate::math::Vec3;
-use crate::scene::{Mesh, Polygon, Scene, Surface, Texture};
+use crate::scene::{Fade, Mesh, Polygon, Scene, Surface, Texture};
+use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// Heights between which the outline is straight.
 pub const BANDS: u32 = 10;
@@ -100,19 +102,26 @@ fn outline(texels: &Texels, is_there: impl Fn(&[u8; 4]) -> bool) -> Option<Vec<[
 /// The scene with silhouettes in place of pictures.
 #[must_use]
 pub fn without_pictures(scene: &Scene) -> Scene {
-    let silhouettes: Vec<Option<Silhouette>> = scene.textures.iter().map(of_texture).collect();
-    let surfaces = scene.surfaces.iter().map(|surface| match scene.picture_on(surface) {
-        None => surface.clone(),
-        Some((id, texture)) => match &silhouettes[id.0 as usize] {
-            None => Surface { mesh: Mesh::default(), ..surface.clone() },
-            Some(silhouette) => changed(surface, texture, silhouette),
-        },
+    // Pictures are shared by many textures of a frame, and looked at once each.
+    let mut known = BTreeMap::new();
+    let surfaces = scene.surfaces.iter().map(|surface| {
+        let Some((_, texture)) = scene.picture_on(surface) else { return surface.clone() };
+        let threshold = texture.cut_out.map(|cut_out| cut_out.threshold);
+        let key = (Arc::as_ptr(&texture.texels) as usize, threshold.map(f64::to_bits));
+        match known.entry(key).or_insert_with(|| Silhouette::of(&texture.texels, threshold)) {
+            Some(silhouette) if is_the_larger(texture.fade) => changed(surface, texture, silhouette),
+            _ => Surface { mesh: Mesh::default(), ..surface.clone() },
+        }
     });
     Scene { surfaces: surfaces.collect(), textures: Vec::new(), ..scene.clone() }
 }
 
-fn of_texture(texture: &Texture) -> Option<Silhouette> {
-    Silhouette::of(&texture.texels, texture.cut_out.map(|cut_out| cut_out.threshold))
+/// Of two surfaces that fade into each other, the one with more samples is shown, of two equal ones that with the lower ranks.
+fn is_the_larger(fade: Option<Fade>) -> bool {
+    fade.is_none_or(|Fade { from, to }| {
+        let (shown, rest) = (to.saturating_sub(from), Fade::RANKS.saturating_sub(to.saturating_sub(from)));
+        shown > rest || (shown == rest && from == 0)
+    })
 }
 
 /// A surface in the color of its picture; polygons with holes become outlines.
@@ -124,6 +133,10 @@ fn changed(surface: &Surface, texture: &Texture, silhouette: &Silhouette) -> Sur
     let product = Encoding::Srgb.decode(material.color) * Encoding::Srgb.decode(silhouette.color);
     material.color = product.map(|light| f64::from(Encoding::Srgb.level(light as f32)) / 255.0);
     let mesh = &surface.mesh;
+    if let Some(mosaic) = &texture.mosaic {
+        changed.material.color = surface.material.color;
+        changed.mesh.colors = colors_of(mesh, mosaic, texture.wrap);
+    }
     if texture.cut_out.is_none() {
         changed.mesh.texture = Vec::new();
         return changed;
@@ -133,6 +146,18 @@ fn changed(surface: &Surface, texture: &Texture, silhouette: &Silhouette) -> Sur
         outlined(mesh, polygon, &silhouette.outline, &mut changed.mesh);
     }
     changed
+}
+
+/// At every vertex, the mean color of the tile there.
+fn colors_of(mesh: &Mesh, mosaic: &Mosaic, wrap: Wrap) -> Vec<Rgb> {
+    let tiles: Vec<Rgb> = mosaic
+        .tiles()
+        .iter()
+        .map(|tile| Silhouette::of(&tile.texels, None).map_or(Rgb::WHITE, |silhouette| silhouette.color))
+        .collect();
+    let own = |vertex: usize| mesh.colors.get(vertex).copied().unwrap_or(Rgb::WHITE);
+    let at = |place: &Vec3| tiles[mosaic.at([place.x, place.y], wrap).0];
+    mesh.texture.iter().enumerate().map(|(vertex, place)| own(vertex) * at(place)).collect()
 }
 
 /// Adds the outline where a polygon wears its picture; nothing where the picture has no place on it.
@@ -174,7 +199,7 @@ fn outlined(mesh: &Mesh, polygon: &Polygon, outline: &[[f64; 2]], into: &mut Mes
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::image::textures::FirstRow;
+    use crate::image::textures::{FirstRow, Tile};
     use crate::scene::{Material, NormalSource, Place, TextureId};
 
     /// A triangle of green on nothing, point up, drawn by hand: 8 x 8.
@@ -242,6 +267,27 @@ mod tests {
             (corner(BANDS as usize) - corner(0)).cross(corner(BANDS as usize + 5) - corner(0)).y
         };
         assert!(normal(&scene) * normal(&back) < 0.0);
+    }
+
+    #[test]
+    fn a_mosaic_gives_its_colors_to_the_vertices_and_of_two_that_fade_one_is_left() {
+        let tile = |color: [u8; 4]| Tile {
+            texels: Texels::new(1, 1, vec![color], FirstRow::Top).expect("one").into(),
+            repeat: [3.0; 2],
+        };
+        let tiles = vec![tile([255, 0, 0, 255]), tile([0, 0, 255, 255])];
+        let mosaic = Mosaic::new((2, 1), vec![0, 1], FirstRow::Top, tiles).expect("legal");
+        let quad = [([0.0; 3], [0.1, 0.0]), ([9.0, 0.0, 0.0], [0.9, 0.0]), ([9.0, 9.0, 0.0], [0.9, 1.0])];
+        let scene = without_pictures(&wearing(Texture::mosaic("land", mosaic), &quad));
+        let (red, blue) = (Rgb::new(1.0, 0.0, 0.0), Rgb::new(0.0, 0.0, 1.0));
+        assert_eq!(scene.surfaces[0].mesh.colors, [red, blue, blue]);
+        let left = |from: u8, to: u8| {
+            let faded = Texture::cut_out("fir", fir(), 0.5).faded(from, to);
+            without_pictures(&wearing(faded, &quad)).surfaces[0].mesh.polygons.len()
+        };
+        for k in 0..=16 {
+            assert_eq!(left(0, k) + left(k, 16), 1, "{k}");
+        }
     }
 
     #[test]

@@ -7,6 +7,7 @@ use crate::forest::area::{Cell, CellIndex, Head};
 use crate::forest::cells::Cells;
 use crate::forest::collide::{Obstacles, Volume, of_tree};
 use crate::forest::heights::{Heights, height};
+use crate::forest::place::{Placement, Sizes, base_of, grow};
 use crate::math::{Vec3, cos, radians, sin};
 use crate::scene::{Camera, Place};
 
@@ -51,7 +52,7 @@ impl Observer {
         for row in row.saturating_sub(1)..=row.saturating_add(1) {
             for column in column.saturating_sub(1)..=column.saturating_add(1) {
                 if let Some(cell) = self.heights.cell(cells, [column, row]).map_err(CliError::failed)? {
-                    volumes_of(cells.head(), cell, self.year, &mut volumes);
+                    volumes_of(cells.head(), cell, self.year, &mut volumes)?;
                 }
             }
         }
@@ -124,13 +125,16 @@ fn mark(head: &Head, name: &str) -> Result<[f64; 2], CliError> {
 }
 
 /// The volumes of the trees of a cell, world space.
-fn volumes_of(head: &Head, cell: &Cell, _year: Option<i32>, volumes: &mut Vec<Volume>) {
-    let corner = head.corner(cell.index);
-    let foot = |at: [f64; 2]| {
-        let ground = height(&cell.ground, head.side, at).unwrap_or(0.0);
-        corner + Vec3::new(at[0], at[1], ground)
-    };
-    for tree in &cell.trees {
-        volumes.extend(of_tree(foot(tree.at), tree.height, tree.crown, None));
+fn volumes_of(head: &Head, cell: &Cell, year: Option<i32>, volumes: &mut Vec<Volume>) -> Result<(), CliError> {
+    let (corner, base) = (head.corner(cell.index), base_of(cell));
+    let ground = |at: [f64; 2]| height(&cell.ground, head.side, at).unwrap_or(f64::NAN);
+    let trees = grow(head, cell, year, Placement::Lattice, &ground).map_err(CliError::failed)?;
+    let sizes = Sizes::new(head, cell, year);
+    for tree in trees {
+        let ([x, y], size) = (tree.at(head.side), sizes.of(tree));
+        let foot = corner + Vec3::new(x, y, tree.height_above_sea(base));
+        let state = tree.stand().and_then(|stand| cell.stands.get(stand)).and_then(|stand| stand.in_year(year));
+        volumes.extend(of_tree(foot, size.height, size.crown, state.and_then(|state| state.crown_base)));
     }
+    Ok(())
 }
