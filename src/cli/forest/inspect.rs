@@ -110,7 +110,8 @@ impl Survey {
     fn text(&self, path: &Path, cells: &Cells, year: Option<i32>) -> String {
         let head = cells.head();
         let hectares = self.cells as f64 * head.side * head.side / 10_000.0;
-        let mut text = format!("{}: {} cells of {} m, {hectares:.1} ha", path.display(), self.cells, head.side);
+        let mut text =
+            format!("{}: {} of {} m, {hectares:.1} ha", path.display(), count(self.cells, "cell"), head.side);
         if let Some([[west, south], [east, north]]) = cells.bounds() {
             text += &format!(", columns {west} to {east}, rows {south} to {north}");
         }
@@ -147,8 +148,8 @@ impl Survey {
     fn heights_text(&self) -> String {
         let Some([low, high]) = self.heights else { return "none: every sample is a void".to_string() };
         let mut text = format!("{low:.1} to {high:.1} m");
-        for ([columns, rows], count) in &self.lattices {
-            text += &format!(", {columns} x {rows} samples in {count} cells");
+        for ([columns, rows], cells) in &self.lattices {
+            text += &format!(", {columns} x {rows} samples in {}", count(*cells, "cell"));
         }
         if self.voids > 0 {
             text += &format!(", {} of {} samples are voids", self.voids, self.samples);
@@ -175,9 +176,14 @@ impl Survey {
     }
 }
 
+/// `1 cell`, `2 cells`.
+fn count(number: usize, noun: &str) -> String {
+    format!("{number} {noun}{}", if number == 1 { "" } else { "s" })
+}
+
 fn species_text(head: &Head, species: u16, [polygons, hectares, trees]: &[f64; 3]) -> String {
     let code = head.species.get(usize::from(species)).map_or("?", |species| &species.code);
-    format!("{code:8} {polygons:6} polygons {hectares:10.1} ha, about {trees:.0} trees")
+    format!("{code:8} {hectares:10.1} ha in {}, about {trees:.0} trees", count(*polygons as usize, "polygon"))
 }
 
 /// Square metres of a patch, holes taken out. Where patches overlap, both count.

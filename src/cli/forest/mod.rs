@@ -24,7 +24,7 @@ use crate::image::movie::Movie;
 use crate::plan::Shading;
 use crate::raster::Registry;
 use crate::scene::Camera;
-use compose::Composer;
+use compose::{Composer, Wanted};
 use observer::Observer;
 pub(super) use options::ForestCommand;
 use options::{TreesName, Verb};
@@ -56,7 +56,7 @@ impl ForestCommand {
         }
         let cells = stock::open(&path)?;
         match &self.output {
-            Some(output) => self.picture_of(&cells, &found, output),
+            Some(output) => self.picture_of((&cells, folder_of(&path)), &found, output),
             None => self.walk_through(&path, &cells, &found),
         }
     }
@@ -92,13 +92,13 @@ impl ForestCommand {
         is_outside || self.forest.trees == TreesName::Silhouettes
     }
 
-    fn picture_of(&self, cells: &Cells, found: &Chosen<'_>, output: &Path) -> Result<(), CliError> {
+    fn picture_of(&self, (cells, folder): (&Cells, &Path), found: &Chosen<'_>, output: &Path) -> Result<(), CliError> {
         let silhouettes = self.has_silhouettes(found);
         let shown = |year: Option<i32>, size: (u32, u32)| {
             let mut observer = Observer::new(year);
             let camera = observer.camera(&self.eye, cells, size)?;
             let mut painter = Painter::new(found.rasterizer(), &self.picture, size);
-            let mut composer = Composer::new(cells, &self.forest, year, silhouettes)?;
+            let mut composer = Composer::new(&Wanted { cells, folder, options: &self.forest, year, silhouettes })?;
             play::frame(&camera, &mut composer, &mut painter)?;
             let picture = painter.picture()?;
             self.labeled(&picture, &camera, &painter, (cells, &mut observer))
@@ -137,7 +137,9 @@ impl ForestCommand {
         let size = self.picture.size;
         let camera = Camera { angle: self.eye.angle_of_view, ..observer.camera(&self.eye, cells, size)? };
         let mut painter = Painter::new(found.rasterizer(), &self.picture, size);
-        let mut composer = Composer::new(cells, &self.forest, self.year, self.has_silhouettes(found))?;
+        let (folder, options, year, silhouettes) =
+            (folder_of(path), &self.forest, self.year, self.has_silhouettes(found));
+        let mut composer = Composer::new(&Wanted { cells, folder, options, year, silhouettes })?;
         let landmarks = labels::landmarks(cells, &mut observer)?;
         let choices = painter.choices().clone();
         let over = |picture: &Picture, camera: &Camera| labels::over(picture, camera, &choices, &landmarks);
@@ -160,4 +162,9 @@ impl ForestCommand {
         }
         Ok(())
     }
+}
+
+/// Where pictures are that an area names.
+fn folder_of(path: &Path) -> &Path {
+    path.parent().unwrap_or(Path::new(""))
 }

@@ -69,7 +69,7 @@ pub(super) fn frame(
     let composing = timer.stop().elapsed;
     let mut painted = painter.paint(scene)?;
     painted.seconds[0] = composing;
-    Ok(Painted { trees: counts.trees, terrain: counts.terrain, ..painted })
+    Ok(Painted { trees: counts.submitted, terrain: counts.terrain_polygons, ..painted })
 }
 
 fn hash(bytes: &[u8]) -> String {
