@@ -4,8 +4,8 @@
 
 use farop::forest::area::Form;
 use farop::forest::paint::{GROUNDS, SIDE, VARIANTS, aspect, named, tree};
-use farop::image::Picture;
 use farop::image::textures::Texels;
+use farop::image::{Picture, encode_for};
 
 /// A sheet of pixels, white at first.
 struct Sheet {
@@ -35,7 +35,8 @@ impl Sheet {
     }
 
     fn save(self, path: &std::path::Path) -> Result<(), Box<dyn std::error::Error>> {
-        Ok(Picture::from_rgb(self.width, self.height, self.rgb)?.save(path)?)
+        let picture = Picture::from_rgb(self.width, self.height, self.rgb)?;
+        Ok(std::fs::write(path, encode_for(path, &picture)?)?)
     }
 }
 

@@ -14,6 +14,8 @@ pub type Vec2 = glam::DVec2;
 pub type Mat3 = glam::DMat3;
 /// An affine map of points (a 3 x 3 matrix and a translation), column vectors: `target_from_source`.
 pub type Affine3 = glam::DAffine3;
+/// A projective map of homogeneous points, column vectors: `target_from_source`.
+pub type Mat4 = glam::DMat4;
 
 pub use libm::{acos, asin, atan, cos, exp, fabs, log, pow, sin, tan};
 

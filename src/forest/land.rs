@@ -18,6 +18,8 @@ use std::ops::Range;
 pub(super) const SQUARES: usize = 32;
 /// A square that an outline passes.
 const MIXED: u16 = u16::MAX;
+/// Metres that trees keep from the edge of a road.
+const VERGE: f64 = 0.5;
 /// Metres by which an outline may be somewhere else than computed when squares are marked; far more than it is.
 const SLACK: f64 = 1e-6;
 
@@ -27,6 +29,10 @@ pub(super) struct Land<'a> {
     boxes: Vec<[Point; 2]>,
     /// Patch + 1, 0 for none, or [`MIXED`].
     squares: Vec<u16>,
+    /// Pieces of roads and rivers, with the half width that they keep free.
+    lines: Vec<(Point, Point, f64)>,
+    /// Squares that a line may reach.
+    near_line: Vec<bool>,
     per_metre: f64,
 }
 
@@ -42,8 +48,14 @@ impl<'a> Land<'a> {
             fill(rings(patch), side, SQUARES, paint);
         }
         let per_metre = SQUARES as f64 / side;
-        let mut land =
-            Land { patches, boxes: patches.iter().map(|patch| bounds(&patch.outer)).collect(), squares, per_metre };
+        let boxes = patches.iter().map(|patch| bounds(&patch.outer)).collect();
+        let pieces = cell
+            .lines
+            .iter()
+            .flat_map(|line| line.points.windows(2).map(move |pair| (pair[0], pair[1], 0.5 * line.width + VERGE)));
+        let near_line = vec![false; if cell.lines.is_empty() { 0 } else { SQUARES * SQUARES }];
+        let mut land = Land { patches, boxes, squares, lines: pieces.collect(), near_line, per_metre };
+        land.mark_lines();
         for patch in patches {
             rings(patch).flat_map(edges).for_each(|(&a, &b)| land.mark(a, b));
         }
@@ -67,6 +79,25 @@ impl<'a> Land<'a> {
             let (west, east) = (ends[0].min(ends[1]) - SLACK, ends[0].max(ends[1]) + SLACK);
             self.squares[row * SQUARES..][column(west)..=column(east)].fill(MIXED);
         }
+    }
+
+    /// Marks the squares in the boxes around the pieces of lines.
+    fn mark_lines(&mut self) {
+        let per_metre = self.per_metre;
+        let square = |metres: f64| ((metres * per_metre) as usize).min(SQUARES - 1);
+        for &(a, b, half) in &self.lines {
+            let range = |axis: usize| square(a[axis].min(b[axis]) - half)..=square(a[axis].max(b[axis]) + half);
+            for row in range(1) {
+                self.near_line[row * SQUARES..][range(0)].fill(true);
+            }
+        }
+    }
+
+    /// Whether a road or a river is here.
+    pub(super) fn is_on_line(&self, point: Point) -> bool {
+        let [column, row] = point.map(|metres| ((metres * self.per_metre) as usize).min(SQUARES - 1));
+        let is_near = self.near_line.get(row * SQUARES + column).is_some_and(|near| *near);
+        is_near && self.lines.iter().any(|&(a, b, half)| square_distance(point, a, b) < half * half)
     }
 
     /// The patch that owns a position: the last one that contains it.
@@ -100,6 +131,16 @@ impl<'a> Land<'a> {
             overlaps && (is_mixed || seen.contains(&(index as u16 + 1)))
         })
     }
+}
+
+/// Square of the distance of a point from a piece of line.
+fn square_distance(point: Point, a: Point, b: Point) -> f64 {
+    let along = [b[0] - a[0], b[1] - a[1]];
+    let off = [point[0] - a[0], point[1] - a[1]];
+    let square = along[0] * along[0] + along[1] * along[1];
+    let share = if square > 0.0 { ((off[0] * along[0] + off[1] * along[1]) / square).clamp(0.0, 1.0) } else { 0.0 };
+    let left = [off[0] - share * along[0], off[1] - share * along[1]];
+    left[0] * left[0] + left[1] * left[1]
 }
 
 /// The outline of a patch and its holes.

@@ -29,7 +29,7 @@ impl Plan {
         match form {
             Form::Conifer => Plan {
                 width: 0.42,
-                leaf_colors: [[0.07, 0.17, 0.10], [0.27, 0.42, 0.21]],
+                leaf_colors: [[0.08, 0.14, 0.09], [0.28, 0.37, 0.20]],
                 bark: [0.38, 0.28, 0.20],
                 leaf: [0.013, 0.0035],
                 hang: 0.0,
@@ -37,7 +37,7 @@ impl Plan {
             },
             Form::Broadleaf => Plan {
                 width: 0.85,
-                leaf_colors: [[0.11, 0.22, 0.07], [0.42, 0.53, 0.20]],
+                leaf_colors: [[0.11, 0.19, 0.07], [0.39, 0.47, 0.20]],
                 bark: [0.40, 0.34, 0.27],
                 leaf: [0.0105, 0.0075],
                 hang: 0.0,
@@ -45,7 +45,7 @@ impl Plan {
             },
             Form::Umbrella => Plan {
                 width: 0.70,
-                leaf_colors: [[0.10, 0.21, 0.10], [0.37, 0.50, 0.23]],
+                leaf_colors: [[0.10, 0.18, 0.09], [0.36, 0.45, 0.22]],
                 bark: [0.52, 0.35, 0.24],
                 leaf: [0.012, 0.0040],
                 hang: PI,
@@ -63,7 +63,7 @@ impl Plan {
                 width: 1.25,
                 leaf_colors: [[0.17, 0.22, 0.10], [0.50, 0.52, 0.27]],
                 bark: [0.36, 0.28, 0.21],
-                leaf: [0.020, 0.010],
+                leaf: [0.016, 0.0075],
                 hang: PI,
                 spread: 1.4,
             },
@@ -160,14 +160,27 @@ fn umbrella(tree: &mut Skeleton, plan: &Plan, chance: &mut Chance) {
     let fork = [lean, chance.between(0.50, 0.58), 0.0];
     tree.bough([0.0; 3], fork, [0.046, 0.032], 0.0, chance);
     let half = 0.5 * plan.width;
-    for index in 0..24 {
+    // Six boughs carry it; each parts once more below the roof.
+    let ribs: Vec<Space> = (0..6)
+        .map(|rib| {
+            let angle = 2.0 * PI * (f64::from(rib) + 0.3 * chance.around()) / 6.0;
+            let reach = half * chance.between(0.32, 0.46);
+            [lean + reach * cos(angle), chance.between(0.70, 0.75), reach * sin(angle)]
+        })
+        .collect();
+    for rib in &ribs {
+        tree.bough(fork, *rib, [0.026, 0.014], -0.02, chance);
+    }
+    for index in 0..34 {
         let angle = 2.0 * PI * (index as f64 * 0.381_966 + 0.1 * chance.around());
-        let radius = ((index as f64 + 0.5) / 24.0).sqrt() * 0.80;
-        let roof = 0.905 - 0.17 * radius * radius * radius + 0.025 * chance.around();
+        let radius = ((index as f64 + 0.5) / 34.0).sqrt() * 0.82;
+        let roof = 0.885 - 0.16 * radius * radius * radius + 0.035 * chance.around();
         let at = [half * radius * cos(angle) + lean * (1.0 - radius), roof, half * radius * sin(angle)];
-        tree.bough(fork, [at[0], at[1] - 0.03, at[2]], [0.022, 0.005], -0.05 * radius, chance);
-        let size = chance.between(0.062, 0.085);
-        tree.cloud(at, [size * 1.15, size * 0.80, size * 1.15], 220, plan, chance);
+        let distance = |rib: &&Space| (rib[0] - at[0]) * (rib[0] - at[0]) + (rib[2] - at[2]) * (rib[2] - at[2]);
+        let from = ribs.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))).copied().unwrap_or(fork);
+        tree.bough(from, [at[0], at[1] - 0.02, at[2]], [0.012, 0.004], -0.02, chance);
+        let size = chance.between(0.060, 0.085);
+        tree.cloud(at, [size * 1.15, size * 0.95, size * 1.15], 190, plan, chance);
     }
 }
 
@@ -202,6 +215,6 @@ fn shrub(tree: &mut Skeleton, plan: &Plan, chance: &mut Chance) {
         let at = [half * 0.86 * across, y, 0.4 * roof * chance.around()];
         tree.bough([0.10 * chance.around(), 0.0, 0.0], at, [0.020, 0.006], 0.05, chance);
         let size = chance.between(0.11, 0.17);
-        tree.cloud([at[0], at[1], at[2]], [size * 1.1, size, size], 100, plan, chance);
+        tree.cloud(at, [size * 1.1, size, size], 170, plan, chance);
     }
 }

@@ -130,14 +130,15 @@ fn water(seed: u64, x: f64, y: f64) -> Paint {
     let slope = (height(y + 0.004) - height(y)) * 6.0;
     let deep = mix([0.10, 0.21, 0.29], [0.15, 0.29, 0.37], 0.5 + 0.5 * octaves(seed + 2, x, y, 4, 3));
     let glint = slope.max(0.0) * slope.max(0.0);
-    [deep[0] + 0.30 * glint, deep[1] + 0.30 * glint, deep[2] + 0.28 * glint]
+    let light = 0.10 * (glint / (1.0 + glint)) + 0.04 * slope.clamp(-1.0, 1.0);
+    deep.map(|channel| channel + light)
 }
 
 /// Lit from the upper left, with cracks where ridges of noise meet.
 fn rock(seed: u64, x: f64, y: f64) -> Paint {
-    let height = |x: f64, y: f64| octaves(seed, x, y, 6, 6);
+    let height = |x: f64, y: f64| octaves(seed, x, y, 9, 6);
     let slope = (height(x + 0.004, y + 0.004) - height(x, y)) * 3.0;
-    let crack = 1.0 - (octaves(seed + 30, x, y, 5, 3).abs() * 14.0).min(1.0);
-    let tone = 0.5 + 0.9 * slope + 0.25 * height(x, y) - 0.5 * crack;
+    let crack = 1.0 - (octaves(seed + 30, x, y, 13, 3).abs() * 9.0).min(1.0);
+    let tone = 0.52 + 0.8 * slope + 0.15 * height(x, y) - 0.22 * crack;
     mix([0.25, 0.24, 0.23], [0.66, 0.63, 0.58], tone)
 }

@@ -257,7 +257,7 @@ impl Site<'_> {
         stands
     }
 
-    /// Plants a tree of a stand if that is the stand's land.
+    /// Plants a tree of a stand if that is the stand's land, and neither road nor river.
     #[inline]
     fn plant(&mut self, stand: usize, place: [u16; 2]) {
         self.plant_at(stand, place, self.ground);
@@ -267,7 +267,8 @@ impl Site<'_> {
         let mut tree = Tree { x: place[0], y: place[1], z: 0, kind: 0 };
         let at = tree.at(self.head.side);
         let owner = self.land.patch_at(at).map(|patch| self.cell.patches[patch].owner);
-        if owner != Some(Owner::Stand(stand as u32)) || self.trees.len() > MOST_TREES {
+        let is_full = self.trees.len() > MOST_TREES;
+        if owner != Some(Owner::Stand(stand as u32)) || is_full || self.land.is_on_line(at) {
             return;
         }
         let z = ground(at);

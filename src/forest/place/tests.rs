@@ -289,3 +289,33 @@ fn sizes_stay_with_their_trees() {
     let [now, then] = [&cell, &older].map(|cell| size_of(&head, cell, None, tree));
     assert!(((now.height - 14.0) / 2.0 - (then.height - 20.0) / 3.0).abs() < 1e-9 && now.turn == then.turn);
 }
+
+#[test]
+fn roads_stay_free() {
+    let (head, mut cell) = full(900.0, Plant::Poisson, [0, 0]);
+    let before = trees(&head, &cell);
+    let points = vec![[0.0, 30.0], [100.0, 130.0], [240.0, 120.0]];
+    cell.lines.push(crate::forest::area::Line {
+        kind: "road".into(),
+        width: 7.0,
+        points: points.clone(),
+        place: Place::default(),
+    });
+    let after = trees(&head, &cell);
+    assert!(after.iter().all(|tree| before.contains(tree)), "no tree has moved");
+    let distance = |tree: &Tree| {
+        let at = tree.at(240.0);
+        let from = |pair: &[[f64; 2]]| {
+            // Close enough: the nearest of many points.
+            let point = |step: u32| {
+                [0, 1].map(|axis| pair[0][axis] + (pair[1][axis] - pair[0][axis]) * f64::from(step) / 1000.0)
+            };
+            (0..=1000).map(point).map(|p| (p[0] - at[0]).hypot(p[1] - at[1])).fold(f64::MAX, f64::min)
+        };
+        points.windows(2).map(from).fold(f64::MAX, f64::min)
+    };
+    assert!(after.iter().all(|tree| distance(tree) > 3.99));
+    assert!(before.iter().filter(|tree| !after.contains(tree)).all(|tree| distance(tree) < 4.02));
+    // 281 m of road, 8 m free: 0.225 ha of 900.
+    assert!((150..260).contains(&(before.len() - after.len())), "{}", before.len() - after.len());
+}

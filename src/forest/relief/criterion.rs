@@ -82,6 +82,12 @@ impl<'a> Spheres<'a> {
         f64::from(self.radii.at(middle))
     }
 
+    /// The radii alone, for whoever keeps the grid himself.
+    #[must_use]
+    pub fn into_radii(self) -> Field<f32> {
+        self.radii
+    }
+
     /// How far the sphere of a middle is from a place; 0 within.
     fn distance(&self, middle: Point, place: Vec3) -> f64 {
         ((self.center(middle) - place).length() - self.radius(middle)).max(0.0)

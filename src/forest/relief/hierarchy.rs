@@ -80,6 +80,12 @@ impl<'a> Hierarchy<'a> {
         self.bounds.at(middle)
     }
 
+    /// The bounds alone, for whoever keeps the grid himself.
+    #[must_use]
+    pub fn into_bounds(self) -> Field<f32> {
+        self.bounds
+    }
+
     /// The largest error of the triangles of one diamond.
     fn own_error(&self, middle: Point) -> f64 {
         let Some(diamond) = self.lattice.diamond(middle) else { return 0.0 };

@@ -189,13 +189,13 @@ pub fn pieces(lattice: &Lattice, triangle: &Triangle) -> usize {
     clipped(lattice, &corners.map(|point| Vertex { point, height: 0.0 })).len().saturating_sub(2)
 }
 
-fn turn(p: Point, q: Point, r: Point) -> i64 {
+pub(in crate::forest) fn turn(p: Point, q: Point, r: Point) -> i64 {
     let side = |a: u32, b: u32| i64::from(a) - i64::from(b);
     side(q.x, p.x) * side(r.y, p.y) - side(q.y, p.y) * side(r.x, p.x)
 }
 
 /// The part of an outline within the grid; nothing where that has no area.
-fn clipped(lattice: &Lattice, outline: &[Vertex]) -> Vec<Vertex> {
+pub(in crate::forest) fn clipped(lattice: &Lattice, outline: &[Vertex]) -> Vec<Vertex> {
     let beyond_east = |vertex: &Vertex| i64::from(vertex.point.x) - i64::from(lattice.east);
     let beyond_south = |vertex: &Vertex| i64::from(vertex.point.y) - i64::from(lattice.south);
     let mut part = outline.to_vec();
