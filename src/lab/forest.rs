@@ -96,7 +96,7 @@ pub fn ways(base: &frame::Choices, choices: &Choices) -> Vec<Way> {
         let horizon = base.horizon * share;
         add(format!("horizon {horizon}"), frame::Choices { horizon, ..*base }, choices.clone());
     }
-    for texture_filter in TextureFilter::ALL {
+    for &texture_filter in TextureFilter::ALL {
         let name = format!("filter {}", texture_filter.name());
         add(name, *base, Choices { texture_filter, ..choices.clone() });
     }

@@ -6,6 +6,7 @@
 
 mod compose;
 mod figures;
+pub(super) mod frame;
 mod inspect;
 mod labels;
 mod observer;

@@ -76,6 +76,14 @@ pub(in crate::cli) struct Eye {
     pub angle_of_view: f64,
 }
 
+impl Eye {
+    /// What an observer does who was told nothing.
+    pub fn usual() -> Eye {
+        let (from, at, at_mark, heading) = (None, None, None, None);
+        Eye { from, at, at_mark, height: 1.7, heading, pitch: 0.0, angle_of_view: 45.0 }
+    }
+}
+
 /// Where a walk leads, and what is kept of it.
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "Walk")]

@@ -83,7 +83,7 @@ impl<'a> Painter<'a> {
         let raster = timer.stop().elapsed;
         crate::cli::scenes::check_drawn(&puts)?;
         let timer = StageTimer::start();
-        self.image.encode_into(self.choices.encoding, &mut self.levels);
+        self.image.encode_into(self.choices.encoding, canvas.threads, &mut self.levels);
         let levels = timer.stop().elapsed;
         let polygons = self.list.len() as u64;
         Ok(Painted { seconds: [0.0, geometry, raster, levels], polygons, puts: puts.puts, ..Painted::default() })

@@ -1,7 +1,9 @@
 //! Files of forests: opened, packed, unpacked, made.
 
 use crate::cli::error::{self, CliError};
+use crate::cli::options::not_negative;
 use crate::forest::cells::Cells;
+use crate::forest::invent::invent;
 use crate::forest::pack;
 use crate::image::save::{SaveError, WholeFile};
 use crate::parse;
@@ -38,8 +40,8 @@ pub(in crate::cli) struct Unpack {
 #[command(after_help = "Example:\n  farop forest new --hectares 95000 --seed 7 -o area.fpack")]
 pub(in crate::cli) struct New {
     /// How large
-    #[arg(long, value_name = "N", default_value_t = 1000, value_parser = clap::value_parser!(u32).range(1..=2_000_000))]
-    hectares: u32,
+    #[arg(long, value_name = "N", default_value_t = 1000.0, value_parser = not_negative, allow_hyphen_values = true)]
+    hectares: f64,
     /// Another number, another landscape
     #[arg(long, value_name = "S", default_value_t = 1)]
     seed: u64,
@@ -61,7 +63,8 @@ pub(super) fn open(path: &Path) -> Result<Cells, CliError> {
     Ok(Cells::Loaded(area))
 }
 
-fn is_pack(path: &Path) -> bool {
+/// Whether a name is that of a pack.
+pub(super) fn is_pack(path: &Path) -> bool {
     path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("fpack"))
 }
 
@@ -130,7 +133,8 @@ fn written(path: &Path, error: std::io::Error) -> CliError {
 impl New {
     pub fn run(&self) -> Result<(), CliError> {
         check_ending(&self.output, "fpack")?;
-        let _ = (self.hectares, self.seed);
-        Err(CliError::failed("landscapes are not invented yet"))
+        let invented = invent(self.hectares, self.seed).map_err(CliError::failed)?;
+        let counts = pack::write(invented.head(), invented.cells(), &self.output).map_err(CliError::failed)?;
+        told(&self.output, &counts)
     }
 }
