@@ -22,7 +22,10 @@ impl Figures {
         let per_frame = |of: fn(&Painted) -> u64| self.frames.iter().map(of).sum::<u64>() as f64 / all;
         let per_second = |frame: f64| frame * all / seconds.max(1e-9);
         let summary = Summary::of(self.frames.iter().map(Painted::total));
-        let worst = self.frames.iter().map(Painted::total).fold(0.0, f64::max);
+        // The first frame loads all cells around the observer; it is told by itself.
+        let rest = if self.frames.len() > 1 { &self.frames[1..] } else { &self.frames[..] };
+        let worst = rest.iter().map(Painted::total).fold(0.0, f64::max);
+        let first = self.frames.first().map_or(0.0, Painted::total);
         let milliseconds = |seconds: f64| seconds * 1e3;
         let mut text = format!("{head}\n");
         let mut row = |name: &str, value: String| {
@@ -41,10 +44,11 @@ impl Figures {
         row(
             "ms",
             format!(
-                "{:.1} in the middle, {:.1} at worst: {:.2} times",
+                "{:.1} in the middle, {:.1} at worst: {:.2} times; the first frame {:.1}",
                 milliseconds(summary.median),
                 milliseconds(worst),
-                worst / summary.median.max(1e-9)
+                worst / summary.median.max(1e-9),
+                milliseconds(first)
             ),
         );
         let stage =
