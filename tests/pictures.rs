@@ -29,17 +29,22 @@ fn scenes_of_the_project() {
         let text = std::fs::read_to_string(&file).expect("a scene is text");
         assert!(text.starts_with("# ") && text.contains("To see:"), "{} says what it shows", file.display());
         let is_sipp = Format::of_path(&file) == Some(Format::Sipp);
-        assert!(text.lines().count() <= if is_sipp { 40 } else { 30 }, "{} is short", file.display());
+        let is_area = Format::of_path(&file) == Some(Format::Fcell);
+        let most = if is_area { 99 } else { 30 + 10 * usize::from(is_sipp) };
+        assert!(text.lines().count() <= most, "{} is short", file.display());
         let parsed = load(&file, None, ParseOptions::default()).unwrap_or_else(|errors| panic!("{errors}"));
         let name = file.file_stem().expect("a name").to_string_lossy().into_owned();
-        // An import leaves lights and camera out, and says so.
-        assert_eq!(parsed.notices.list.len(), usize::from(name == "merge"), "{}", parsed.notices);
+        // An import leaves lights and camera out, and says so; an area says how many trees it has.
+        assert_eq!(parsed.notices.list.len(), usize::from(name == "merge" || is_area), "{}", parsed.notices);
         // SIPP's own demonstrations are drawn so.
         let shading = if is_sipp { Shading::Phong } else { Choices::default().shading };
         let prefix = if is_sipp { "scene_sipp" } else { "scene" };
         assert_picture!(
             &format!("{prefix}_{name}"),
-            picture(&parsed.scene, &Choices { shading, ..Choices::default() })
+            picture(
+                &parsed.into_scene(),
+                &Choices { shading, size: is_area.then_some((128, 96)), ..Choices::default() }
+            )
         );
     }
 }

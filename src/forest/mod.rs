@@ -29,4 +29,5 @@ pub mod random;
 pub mod relief;
 pub mod silhouette;
 pub mod terrain;
+pub mod tree;
 pub mod window;

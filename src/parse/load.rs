@@ -5,8 +5,11 @@
 //! Gzip is recognized by its first two bytes, whatever the name says: files get renamed, bytes do not.
 
 use super::input::{read_annotated_source, read_source};
-use super::{INPUT_LIMIT, ParseOptions, Parsed, ftri, nff, sipp};
+use super::{INPUT_LIMIT, ParseOptions, Parsed, fcell, ftri, nff, sipp};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, printable, suggest};
+use crate::forest::cells::Cells;
+use crate::forest::pack::Pack;
+use crate::forest::tree;
 use flate2::bufread::MultiGzDecoder;
 use std::fs::File;
 use std::io::{BufRead, BufReader, ErrorKind, Read, stdin};
@@ -21,11 +24,21 @@ pub enum Format {
     Sipp,
     /// Triangles in binary, for measuring.
     Ftri,
+    /// An area of forest as text.
+    Fcell,
+    /// An area of forest in binary, cell by cell.
+    Fpack,
 }
 
 impl Format {
     /// All formats, by the name that is also their file extension.
-    pub const ALL: [(&'static str, Format); 3] = [("nff", Format::Nff), ("sipp", Format::Sipp), ("ftri", Format::Ftri)];
+    pub const ALL: [(&'static str, Format); 5] = [
+        ("nff", Format::Nff),
+        ("sipp", Format::Sipp),
+        ("ftri", Format::Ftri),
+        ("fcell", Format::Fcell),
+        ("fpack", Format::Fpack),
+    ];
 
     /// The format of that name, case aside.
     #[must_use]
@@ -51,7 +64,9 @@ pub fn load(path: &Path, format: Option<Format>, options: ParseOptions) -> Resul
     if name == "-" {
         let Some(format) = format else {
             let error = Diagnostic::error("standard input has no name that says what format it is");
-            return Err(failure(error.help("add `--format nff`, `--format sipp` or `--format ftri`")));
+            return Err(failure(
+                error.help("add `--format nff`, `--format sipp`, `--format ftri` or `--format fcell`"),
+            ));
         };
         return load_from(("<stdin>", stdin().lock()), Path::new(""), format, options);
     }
@@ -60,10 +75,49 @@ pub fn load(path: &Path, format: Option<Format>, options: ParseOptions) -> Resul
     let Some(format) = format.or_else(|| Format::of_path(path)) else {
         let error = Diagnostic::error(format!("`{name}` has no ending that says what format it is"));
         return Err(failure(error.help(
-            "known are `.nff`, `.sipp`, `.ftri` and all with `.gz` behind; if it is NFF all the same, add `--format nff`",
+            "known are `.nff`, `.sipp`, `.ftri`, `.fcell` and all with `.gz` behind, and `.fpack`; if it is NFF all the same, add `--format nff`",
         )));
     };
-    load_from((&name, BufReader::new(file)), path.parent().unwrap_or(Path::new("")), format, options)
+    let folder = path.parent().unwrap_or(Path::new(""));
+    if format == Format::Fpack {
+        return grown(&Cells::Packed(open_pack(path)?), folder, Diagnostics::default());
+    }
+    load_from((&name, BufReader::new(file)), folder, format, options)
+}
+
+/// Opens an area of forest: all of a `.fcell`, or head and index of a `.fpack`; with what is worth knowing about how it was read.
+///
+/// # Errors
+/// The file cannot be read, is no area, or has mistakes.
+pub fn load_cells(path: &Path) -> Result<(Cells, Diagnostics), Diagnostics> {
+    let name = printable(path.as_os_str().as_encoded_bytes());
+    let file = open(path, &name)?;
+    match Format::of_path(path) {
+        Some(Format::Fpack) => Ok((Cells::Packed(open_pack(path)?), Diagnostics::default())),
+        Some(Format::Fcell) => {
+            let source = read_source(&name, unpacked(&name, BufReader::new(file))?)?;
+            let (area, notices) = fcell::read(&source, path.parent().unwrap_or(Path::new("")))?;
+            Ok((Cells::Loaded(area), notices))
+        }
+        _ => {
+            let error = Diagnostic::error(format!("`{name}` is no area of forest"));
+            Err(failure(error.help("areas end in `.fcell`, `.fcell.gz` or `.fpack`")))
+        }
+    }
+}
+
+/// Opens a pack, whose cells are read where they lie: neither from a pipe nor out of gzip.
+fn open_pack(path: &Path) -> Result<Pack, Diagnostics> {
+    Pack::open(path).map_err(|error| failure(Diagnostic::error(error.to_string())))
+}
+
+/// The scene of an area; what the area has to tell is in `notices`, and how many trees it has is added.
+fn grown(cells: &Cells, folder: &Path, mut notices: Diagnostics) -> Result<Parsed, Diagnostics> {
+    let grown = tree::scene(cells, folder, None).map_err(|error| failure(Diagnostic::error(error.to_string())))?;
+    let count = cells.indices().len();
+    let message = format!("{} trees in {count} cells, each an object of the scene", grown.trees);
+    notices.list.push(Diagnostic::notice(message));
+    Ok(Parsed { scene: grown.scene, notices, default_camera: Some(grown.camera) })
 }
 
 /// Reads a scene; `folder` is where files named in it are looked for.
@@ -79,6 +133,14 @@ fn load_from(
         Format::Nff => nff::read(&read_annotated_source(name, reader)?, options),
         Format::Sipp => sipp::read(&read_source(name, reader)?, folder, options),
         Format::Ftri => ftri::read(name, &read_bytes(name, reader)?),
+        Format::Fcell => {
+            let (area, notices) = fcell::read(&read_source(name, reader)?, folder)?;
+            grown(&Cells::Loaded(area), folder, notices)
+        }
+        Format::Fpack => {
+            let error = Diagnostic::error("a pack is read cell by cell, which standard input cannot");
+            Err(failure(error.help("give its file: `farop render AREA.fpack`")))
+        }
     }
 }
 

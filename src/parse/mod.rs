@@ -26,7 +26,7 @@ pub use bezier::Net as BezierNet;
 pub use forest::load_area;
 pub use grids::{GridOptions, load_grid, read_grid};
 pub use input::{INPUT_LIMIT, LINE_LIMIT};
-pub use load::{Format, load};
+pub use load::{Format, load, load_cells};
 
 use crate::diagnostic::Diagnostics;
 use crate::forest::area::Area;
@@ -97,7 +97,7 @@ pub fn read_nff(name: &str, text: &[u8], options: ParseOptions) -> Result<Parsed
 /// Reads `.fcell` text from memory: an area of forest; `name` is what messages and [`Head::files`](crate::forest::area::Head::files) call it.
 ///
 /// With the area comes what is worth knowing about how it was read. Grids that it names are looked for in the current folder;
-/// [`load`] looks beside the file it reads.
+/// [`load_cells`] looks beside the file it reads.
 ///
 /// # Errors
 /// Up to 20 mistakes of the text, each with its place.

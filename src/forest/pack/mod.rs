@@ -267,6 +267,3 @@ impl At {
         file.read_exact(bytes)
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -4,6 +4,7 @@ use super::Reader;
 use super::words::did_you_mean;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::forest::area::{Cover, Form, Mark, Species};
+use crate::forest::paint;
 use crate::parse::wording::quote;
 
 /// The largest coordinate of a map.
@@ -66,7 +67,7 @@ impl Reader<'_> {
             if self.words.take_field("form") {
                 species.form = self.words.choice("form", &Form::ALL)?;
             } else if self.words.take_field("image") {
-                species.images.push(self.words.text("a picture")?.0);
+                species.images.push(self.picture("a picture, or paint:NAME")?);
             } else {
                 break;
             }
@@ -86,7 +87,7 @@ impl Reader<'_> {
     pub(super) fn cover(&mut self) -> Result<(), Diagnostic> {
         let (place, span) = (self.place(), self.words.peek().span);
         let number = self.words.whole("the cover's number", 0..=u32::MAX)?;
-        let (image, _) = self.words.text("its picture, or paint:NAME")?;
+        let image = self.picture("its picture, or paint:NAME")?;
         let has_tile = self.words.take_field("tile");
         let tile = if has_tile { self.words.within("a tile", 0.01..=LARGEST_SIDE)? } else { USUAL_TILE };
         if let Some(first) = self.head.covers.iter().find(|known| known.number == number) {
@@ -97,6 +98,18 @@ impl Reader<'_> {
         }
         self.head.covers.push(Cover { number, image, tile, place });
         Ok(())
+    }
+
+    /// The name of a picture; what the program shall paint must be something it can.
+    fn picture(&mut self, what: &str) -> Result<String, Diagnostic> {
+        let (name, span) = self.words.text(what)?;
+        if name.starts_with("paint:") {
+            paint::check(&name).map_err(|error| {
+                let message = format!("the program cannot paint {}", quote(error.word.as_bytes()));
+                Diagnostic::error(message).at(span, "no such picture").help(error.advice)
+            })?;
+        }
+        Ok(name)
     }
 
     /// `mark "NAME" X Y`: in the cell in hand; before all cells, from the south-west corner of cell 0 0.

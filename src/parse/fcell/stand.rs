@@ -151,8 +151,8 @@ fn add(stands: &mut Vec<Stand>, stand: Stand, at: Span) -> Result<(), Diagnostic
     };
     let year = stand.states[0].year;
     if let Some(same) = known.states.iter().find(|state| state.year == year || state.year.is_none() || year.is_none()) {
-        let says = |year: Option<i32>| year.map_or("without a year".to_string(), |year| format!("in {year}"));
-        let message = format!("stand {} {} was declared {}", stand.number, says(year), says(same.year));
+        let says = |year: Option<i32>| year.map_or("without a year".to_string(), |year| format!("of {year}"));
+        let message = format!("stand {} has a line {} already", stand.number, says(same.year));
         let error = Diagnostic::error(message).at(at, "again");
         return Err(error
             .help(format!("its first line is {}; every line of a stand needs a `year` of its own", known.place.line)));

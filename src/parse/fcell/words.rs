@@ -187,7 +187,10 @@ impl<'a> Words<'a> {
         let is_whole = !digits.is_empty() && digits.iter().all(u8::is_ascii_digit) && !word.is_quoted;
         if !is_whole {
             let error = Diagnostic::error(format!("{} is not a whole number", quote(word.bytes)));
-            return Err(error.at(word.span, format!("expected {what}, a whole number")));
+            let error = error.at(word.span, format!("expected {what}, a whole number"));
+            let is_odd = tokens::number(word.bytes).is_err();
+            let meant = number_meant(word.bytes).filter(|_| is_odd);
+            return Err(meant.map_or(error.clone(), |meant| error.help(meant)));
         }
         let number = str::from_utf8(word.bytes).ok().and_then(|text| text.parse().ok());
         match number.filter(|number| range.contains(number)) {
@@ -236,8 +239,14 @@ fn out_of_range<T: Display>(found: impl Display, what: &str, range: &RangeInclus
 
 /// The known word that was probably meant, or all of them.
 pub(super) fn did_you_mean(word: &[u8], known: &[&str]) -> String {
-    match suggest(&String::from_utf8_lossy(word), known) {
-        Some(similar) => format!("did you mean `{similar}`?"),
-        None => format!("known are {}", known.join(", ")),
+    // Codes of species are in capitals, and a mistake in one is no mistake in every letter.
+    let small: Vec<String> = known.iter().map(|known| known.to_lowercase()).collect();
+    let small: Vec<&str> = small.iter().map(String::as_str).collect();
+    let similar =
+        suggest(&String::from_utf8_lossy(word), &small).and_then(|similar| small.iter().position(|&s| s == similar));
+    match (similar.map(|index| known[index]), known) {
+        (Some(similar), _) => format!("did you mean `{similar}`?"),
+        (None, [only]) => format!("there is only `{only}`"),
+        (None, _) => format!("known are {}", known.join(", ")),
     }
 }

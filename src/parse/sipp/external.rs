@@ -61,7 +61,7 @@ impl Reader<'_> {
         match load::Format::of_path(&path) {
             Some(load::Format::Nff) | None => {}
             Some(other) => {
-                let kind = if other == load::Format::Sipp { "sipp" } else { "ftri" };
+                let kind = load::Format::ALL.iter().find(|(_, format)| *format == other).map_or("", |&(name, _)| name);
                 let error = Diagnostic::error("only NFF can be imported").at(file, format!("this is a `.{kind}` file"));
                 let help = "give both files to farop: they merge. Or `farop convert` this one to NFF first";
                 return Err(error.help(help).into());
