@@ -1,7 +1,7 @@
 //! How long trees take to grow and landscapes to be invented; and a map of one.
 //!
 //! `cargo run --release --example growing -- [HECTARES] [SEED] [MAP.png]` prints nanoseconds a tree for each way of planting, milliseconds a cell, and the
-//! most memory used; with a third argument it writes a map of covers and relief, lit from the north-west, 8 pixels a cell.
+//! most memory used; with a third argument it writes a map of covers and relief, lit from the north-west, 4 pixels a cell.
 
 use farop::forest::area::{Cell, Ground, Head, Owner, Patch, Plant, Spread, Stand, StandState};
 use farop::forest::cover::raster;
@@ -99,7 +99,7 @@ fn print_trees(land: &Invented) -> Result<(), Failure> {
 
 /// A map: covers by color, trees darker, light from the north-west; the river and the roads.
 fn map(land: &Invented) -> Result<Picture, Failure> {
-    const PIXELS: usize = 8;
+    const PIXELS: usize = 4;
     const COLORS: [[f64; 3]; 9] = [
         [0.5, 0.5, 0.5],
         [0.24, 0.40, 0.22],

@@ -1,4 +1,5 @@
-//! All pictures that the program paints, on two sheets: trees as wide as they are painted for, grounds two by two.
+//! All pictures that the program paints, on two sheets: trees as wide as they are painted for, a form a column; grounds, each
+//! laid two by two.
 //!
 //! `cargo run --example painted -- FOLDER` writes `trees.png` and `grounds.png` there.
 
@@ -42,25 +43,22 @@ impl Sheet {
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let folder = std::path::PathBuf::from(std::env::args().nth(1).unwrap_or_else(|| ".".to_string()));
-    let mut trees = Sheet::new(1000, 5 * 300);
-    for (row, (_, form)) in Form::ALL.into_iter().enumerate() {
-        let height = if form == Form::Shrub { 190 } else { 290 };
+    let mut trees = Sheet::new(5 * 150, VARIANTS as usize * 170);
+    for (column, (_, form)) in Form::ALL.into_iter().enumerate() {
+        let height = if form == Form::Shrub { 110 } else { 164 };
         let width = (height as f64 * aspect(form)) as usize;
         for variant in 0..VARIANTS {
-            trees.paste(
-                &tree(form, variant),
-                [variant as usize * 250 + 125 - width / 2, row * 300 + 295 - height],
-                [width, height],
-            );
+            let at = [column * 150 + 75 - width / 2, variant as usize * 170 + 168 - height];
+            trees.paste(&tree(form, variant), at, [width, height]);
         }
     }
     trees.save(&folder.join("trees.png"))?;
-    let mut grounds = Sheet::new(3 * 340, 3 * 340);
+    let mut grounds = Sheet::new(5 * 150 - 6, 2 * 150 - 6);
     for (index, name) in GROUNDS.into_iter().enumerate() {
         let texels = named(name)?;
         for part in 0..4 {
-            let at = [index % 3 * 340 + part % 2 * 165, index / 3 * 340 + part / 2 * 165];
-            grounds.paste(&texels, at, [165, 165]);
+            let at = [index % 5 * 150 + part % 2 * 72, index / 5 * 150 + part / 2 * 72];
+            grounds.paste(&texels, at, [72, 72]);
         }
     }
     grounds.save(&folder.join("grounds.png"))?;

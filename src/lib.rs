@@ -15,7 +15,7 @@
 //! | [`diagnostic`], [`report`] | messages with places; counts and times |
 //! | [`scene`] | the tree of objects, surfaces, lights, the camera |
 //! | [`model`], [`spd`] | shapes as polygons; the standard procedural databases |
-//! | [`forest`] | grids of heights, and reliefs of few triangles |
+//! | [`forest`] | grids of heights, and reliefs of few triangles; stands, trees, their pictures |
 //! | [`parse`], [`write`](mod@write) | NFF and SIPP scenes in and out; grids of heights in |
 //! | [`plan`] | what the scene needs and what the user chose |
 //! | [`screen`] | screen polygons, planes, lights and reflection models, screen files |
@@ -85,4 +85,6 @@ mod documents {
     struct Lab;
     #[doc = include_str!("../docs/view.md")]
     struct View;
+    #[doc = include_str!("../docs/forest-growing.md")]
+    struct ForestGrowing;
 }

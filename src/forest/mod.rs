@@ -2,6 +2,8 @@
 //!
 //! grid files -parse::grids-> [`elevation`] -> [`relief`] -> Scene -> plan, geometry, any rasterizer
 //! `.fcell` text -parse::fcell-> [`area`] <-[`pack`]-> `.fpack`; [`cells`] -> trees and ground around the observer -> Scene
+//! `.fcell` text -parse::fcell-> [`area`] -> trees and ground around the observer -> Scene
+//! seed -[`invent`]-> [`area`] -[`place`], [`cover`]-> trees, numbers of grounds; [`paint`] -> their pictures
 //!
 //! Why before the readers: a grid of heights is a value like a scene; `parse` fills it, this room thins it out. A relief ends as an
 //! ordinary [`Scene`](crate::scene::Scene), so every rasterizer, lab and check takes it like any other.

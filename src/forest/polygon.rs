@@ -89,7 +89,7 @@ pub(super) fn crosses(a: Point, b: Point, point: Point) -> bool {
 #[must_use]
 pub fn contains(outer: &[Point], holes: &[Vec<Point>], point: Point) -> bool {
     let rings = std::iter::once(outer).chain(holes.iter().map(Vec::as_slice));
-    rings.flat_map(|ring| edges(ring)).filter(|&(&a, &b)| crosses(a, b, point)).count() % 2 == 1
+    rings.flat_map(edges).filter(|&(&a, &b)| crosses(a, b, point)).count() % 2 == 1
 }
 
 /// Twice the area would be an integer for whole coordinates; this is the area, positive where the ring is counterclockwise.

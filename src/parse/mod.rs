@@ -12,7 +12,6 @@ mod bezier;
 pub mod built_in;
 mod fcell;
 mod foreign;
-mod forest;
 mod ftri;
 mod grids;
 mod input;
@@ -23,7 +22,6 @@ mod tokens;
 mod wording;
 
 pub use bezier::Net as BezierNet;
-pub use forest::load_area;
 pub use grids::{GridOptions, load_grid, read_grid};
 pub use input::{INPUT_LIMIT, LINE_LIMIT};
 pub use load::{Format, load, load_cells};

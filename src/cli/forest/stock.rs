@@ -52,15 +52,13 @@ pub(in crate::cli) struct New {
 
 /// The area in a file: text or pack, told by its name.
 pub(super) fn open(path: &Path) -> Result<Cells, CliError> {
-    if is_pack(path) {
-        return pack::Pack::open(path).map(Cells::Packed).map_err(CliError::failed);
-    }
-    let (area, notices) =
-        parse::load_area(path).map_err(|errors| CliError::Diagnosed(errors.render(error::stderr_has_color())))?;
+    let loaded = parse::load_cells(path);
+    let (cells, notices) =
+        loaded.map_err(|errors| CliError::Diagnosed(errors.render(error::stderr_has_color())))?;
     if !notices.is_empty() {
         error::diagnose(&notices.render(error::stderr_has_color()));
     }
-    Ok(Cells::Loaded(area))
+    Ok(cells)
 }
 
 /// Whether a name is that of a pack.

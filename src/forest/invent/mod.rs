@@ -6,7 +6,7 @@
 //! valley, a lake, a river, roads, six species of many ages in three years.
 //!
 //! Why cell by cell: any cell can be asked for by itself, and is the same whichever were asked for before. Heights are asked at positions of the world, so neighbors share the samples
-//! on their border bit for bit; stands are regions of the world, cut at borders ([`regions`]), and keep their number beyond them.
+//! on their border bit for bit; stands are regions of the world, cut at borders (`regions.rs`), and keep their number beyond them.
 //!
 //! Space: cells of 240 m; lattices of 9 x 9 samples, 30 m apart, in counts of 5 cm above the sea.
 //! Cost: 0.1 ms a cell; kept is only what crosses many cells, the lines (1 MB for 95,000 ha).

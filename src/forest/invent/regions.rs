@@ -152,3 +152,23 @@ fn circumcenter([a, b, c]: [Point; 3]) -> Point {
 fn square_distance(a: Point, b: Point) -> f64 {
     (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn three_sites_have_one_corner_whoever_asks() {
+        for index in 0..300 {
+            let [a, b, c] = [[index, 5], [index + 1, 5], [index, 6]].map(|index| site(9, index));
+            let asked = [(a, b, c), (b, c, a), (c, a, b), (a, c, b)];
+            let corners =
+                asked.map(|(own, one, other)| corner(&own, Edge::Site(one), Edge::Site(other)).map(f64::to_bits));
+            assert!(corners.iter().all(|corner| *corner == corners[0]), "{index}");
+            let ends = [(a, b), (b, a)].map(|(own, other)| {
+                corner(&own, Edge::Border(0, 240.0 * f64::from(index)), Edge::Site(other)).map(f64::to_bits)
+            });
+            assert_eq!(ends[0], ends[1]);
+        }
+    }
+}

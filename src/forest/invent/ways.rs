@@ -109,14 +109,7 @@ fn add(lines: &mut Lines, kind: &str, width: f64, points: &[Point], side: f64, r
     let mut open: Option<CellIndex> = None;
     for pair in points.windows(2) {
         let [a, b] = [pair[0], pair[1]];
-        // Where it passes borders, in order.
-        let mut shares = vec![0.0, 1.0];
-        for axis in 0..2 {
-            let (low, high) = (a[axis].min(b[axis]), a[axis].max(b[axis]));
-            let crossed = ((low / side).floor() as i64 + 1)..=(high / side).floor() as i64;
-            shares.extend(crossed.map(|border| (border as f64 * side - a[axis]) / (b[axis] - a[axis])));
-        }
-        shares.sort_by(f64::total_cmp);
+        let shares = border_shares(a, b, side);
         let at = |share: f64| [0, 1].map(|axis| round(a[axis] + (b[axis] - a[axis]) * share));
         for piece in shares.windows(2).filter(|piece| piece[1] > piece[0]) {
             let middle = at(0.5 * (piece[0] + piece[1]));
@@ -143,4 +136,16 @@ fn add(lines: &mut Lines, kind: &str, width: f64, points: &[Point], side: f64, r
     }
     lines.values_mut().for_each(|own| own.retain(|line| line.points.len() > 1));
     lines.retain(|_, own| !own.is_empty());
+}
+
+/// Where a step begins, passes borders of cells, and ends, in order; 0 to 1.
+fn border_shares(a: Point, b: Point, side: f64) -> Vec<f64> {
+    let mut shares = vec![0.0, 1.0];
+    for axis in 0..2 {
+        let (low, high) = (a[axis].min(b[axis]), a[axis].max(b[axis]));
+        let crossed = ((low / side).floor() as i64 + 1)..=(high / side).floor() as i64;
+        shares.extend(crossed.map(|border| (border as f64 * side - a[axis]) / (b[axis] - a[axis])));
+    }
+    shares.sort_by(f64::total_cmp);
+    shares
 }

@@ -27,49 +27,55 @@ pub(super) struct Plan {
 impl Plan {
     pub(super) fn of(form: Form) -> Plan {
         match form {
-            Form::Conifer => Plan {
-                width: 0.42,
-                leaf_colors: [[0.08, 0.14, 0.09], [0.28, 0.37, 0.20]],
-                bark: [0.38, 0.28, 0.20],
-                leaf: [0.013, 0.0035],
-                hang: 0.0,
-                spread: 0.9,
-            },
-            Form::Broadleaf => Plan {
-                width: 0.85,
-                leaf_colors: [[0.11, 0.19, 0.07], [0.39, 0.47, 0.20]],
-                bark: [0.40, 0.34, 0.27],
-                leaf: [0.0105, 0.0075],
-                hang: 0.0,
-                spread: PI,
-            },
-            Form::Umbrella => Plan {
-                width: 0.70,
-                leaf_colors: [[0.10, 0.18, 0.09], [0.36, 0.45, 0.22]],
-                bark: [0.52, 0.35, 0.24],
-                leaf: [0.012, 0.0040],
-                hang: PI,
-                spread: 1.3,
-            },
-            Form::Column => Plan {
-                width: 0.32,
-                leaf_colors: [[0.16, 0.25, 0.17], [0.47, 0.56, 0.40]],
-                bark: [0.72, 0.66, 0.58],
-                leaf: [0.013, 0.0036],
-                hang: 0.0,
-                spread: 0.7,
-            },
-            Form::Shrub => Plan {
-                width: 1.25,
-                leaf_colors: [[0.17, 0.22, 0.10], [0.50, 0.52, 0.27]],
-                bark: [0.36, 0.28, 0.21],
-                leaf: [0.016, 0.0075],
-                hang: PI,
-                spread: 1.4,
-            },
+            Form::Conifer => CONIFER,
+            Form::Broadleaf => BROADLEAF,
+            Form::Umbrella => UMBRELLA,
+            Form::Column => COLUMN,
+            Form::Shrub => SHRUB,
         }
     }
 }
+
+const CONIFER: Plan = Plan {
+    width: 0.42,
+    leaf_colors: [[0.08, 0.14, 0.09], [0.28, 0.37, 0.20]],
+    bark: [0.38, 0.28, 0.20],
+    leaf: [0.013, 0.0035],
+    hang: 0.0,
+    spread: 0.9,
+};
+const BROADLEAF: Plan = Plan {
+    width: 0.85,
+    leaf_colors: [[0.11, 0.19, 0.07], [0.39, 0.47, 0.20]],
+    bark: [0.40, 0.34, 0.27],
+    leaf: [0.0105, 0.0075],
+    hang: 0.0,
+    spread: PI,
+};
+const UMBRELLA: Plan = Plan {
+    width: 0.70,
+    leaf_colors: [[0.10, 0.18, 0.09], [0.36, 0.45, 0.22]],
+    bark: [0.52, 0.35, 0.24],
+    leaf: [0.012, 0.0040],
+    hang: PI,
+    spread: 1.3,
+};
+const COLUMN: Plan = Plan {
+    width: 0.32,
+    leaf_colors: [[0.16, 0.25, 0.17], [0.47, 0.56, 0.40]],
+    bark: [0.72, 0.66, 0.58],
+    leaf: [0.013, 0.0036],
+    hang: 0.0,
+    spread: 0.7,
+};
+const SHRUB: Plan = Plan {
+    width: 1.25,
+    leaf_colors: [[0.17, 0.22, 0.10], [0.50, 0.52, 0.27]],
+    bark: [0.36, 0.28, 0.21],
+    leaf: [0.016, 0.0075],
+    hang: PI,
+    spread: 1.4,
+};
 
 /// Builds a tree.
 pub(super) fn build(form: Form, plan: &Plan, chance: &mut Chance) -> Skeleton {
@@ -92,8 +98,11 @@ fn conifer(tree: &mut Skeleton, plan: &Plan, chance: &mut Chance) {
     for whorl in 0..whorls {
         let share = whorl as f64 / whorls as f64;
         let y = base + (0.975 - base) * share;
-        let longest =
-            0.5 * plan.width * (1.0 - share).max(0.0).sqrt() * (1.0 - 0.62 * share) * if whorl < 2 { 0.8 } else { 1.0 };
+        let longest = 0.55
+            * plan.width
+            * (1.0 - share).max(0.0).sqrt()
+            * (1.0 - 0.58 * share)
+            * if whorl < 2 { 0.8 } else { 1.0 };
         let branches = 9;
         let turn = chance.between(0.0, PI);
         for branch in 0..branches {

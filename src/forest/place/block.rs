@@ -124,6 +124,6 @@ impl Sequence {
 
 /// A place in the middle half of a square.
 fn middle(low: [u16; 2], side: u16, bits: u64) -> [u16; 2] {
-    let step = |share: u64| side / 4 + ((share & 0xFFFF_FFFF) * u64::from(side / 2) >> 32) as u16;
+    let step = |share: u64| side / 4 + (((share & 0xFFFF_FFFF) * u64::from(side / 2)) >> 32) as u16;
     [low[0] + step(bits), low[1] + step(bits >> 32)]
 }

@@ -15,6 +15,7 @@
 
 mod block;
 mod rows;
+mod site;
 mod size;
 #[cfg(test)]
 mod tests;
@@ -22,10 +23,11 @@ mod triangles;
 
 pub use size::{Size, Sizes, size_of};
 
-use super::area::{Cell, Ground, Head, Owner, Plant, StandState};
+use site::{Site, planted};
+
+use super::area::{Cell, Ground, Head, Owner, StandState};
 use super::land::Land;
 use super::polygon;
-use super::random::{key, mix64};
 use crate::math::Vec3;
 
 /// A tree: where it stands, and what it is.
@@ -96,7 +98,7 @@ pub enum Placement<'a> {
     /// From the numbers of cell and stand alone: triangles of the relief may come and go, trees stay.
     #[default]
     Lattice,
-    /// As the paper does: every triangle of the relief by itself, in a rectangle twice its size. Other triangles, other trees; [`Plant`] is not asked.
+    /// As the paper does: every triangle of the relief by itself, in a rectangle twice its size. Other triangles, other trees; [`Plant`](super::area::Plant) is not asked.
     /// Corners in the cell's metres, z in metres above the sea.
     Triangles(&'a [[Vec3; 3]]),
 }
@@ -222,89 +224,6 @@ fn check(head: &Head, cell: &Cell, year: Option<i32>) -> Result<(), PlaceError> 
         cell.stands.get(most).and_then(|stand| stand.in_year(year)).map_or(trees, |state| state.density * hectares)
     };
     Err(PlaceError::TooManyTrees { cell: cell.index, stand, trees })
-}
-
-/// A cell while its trees are placed.
-struct Site<'a> {
-    head: &'a Head,
-    cell: &'a Cell,
-    land: Land<'a>,
-    /// By stand.
-    states: Vec<Option<&'a StandState>>,
-    /// How many pictures its trees choose from, by stand.
-    pictures: Vec<u16>,
-    ground: &'a dyn Fn([f64; 2]) -> f64,
-    base: f64,
-    trees: Vec<Tree>,
-}
-
-impl Site<'_> {
-    /// What all numbers of a stand in this cell begin with.
-    fn key(&self, stand: usize) -> u64 {
-        let [column, row] = self.cell.index.map(|index| index as u32 as u64);
-        key(&[self.head.seed, (column << 32) | row, self.cell.seed, u64::from(self.cell.stands[stand].number)])
-    }
-
-    /// The stands, each once, among some patches.
-    fn stands_of(&self, patches: impl Iterator<Item = usize>) -> Vec<usize> {
-        let stand = |patch: usize| match self.cell.patches[patch].owner {
-            Owner::Stand(stand) => Some(stand as usize).filter(|&stand| stand < self.states.len()),
-            Owner::Cover(_) => None,
-        };
-        let mut stands: Vec<usize> = patches.filter_map(stand).collect();
-        stands.sort_unstable();
-        stands.dedup();
-        stands
-    }
-
-    /// Plants a tree of a stand if that is the stand's land, and neither road nor river.
-    #[inline]
-    fn plant(&mut self, stand: usize, place: [u16; 2]) {
-        self.plant_at(stand, place, self.ground);
-    }
-
-    fn plant_at(&mut self, stand: usize, place: [u16; 2], ground: &dyn Fn([f64; 2]) -> f64) {
-        let mut tree = Tree { x: place[0], y: place[1], z: 0, kind: 0 };
-        let at = tree.at(self.head.side);
-        let owner = self.land.patch_at(at).map(|patch| self.cell.patches[patch].owner);
-        let is_full = self.trees.len() > MOST_TREES;
-        if owner != Some(Owner::Stand(stand as u32)) || is_full || self.land.is_on_line(at) {
-            return;
-        }
-        let z = ground(at);
-        if z.is_finite() {
-            let count = u64::from(self.pictures[stand]);
-            let own = || (mix64(u64::from(place[0]) << 16 | u64::from(place[1])) >> 32) * count >> 32;
-            let picture = self.states[stand]
-                .and_then(|state| state.picture)
-                .map_or_else(own, |picture| u64::from(picture) % count);
-            tree.z = sixteenths(z - self.base);
-            tree.kind = (stand as u16) << 4 | picture as u16;
-            self.trees.push(tree);
-        }
-    }
-
-    fn add_measured(&mut self) {
-        let side = self.head.side;
-        for (index, tree) in self.cell.trees.iter().enumerate() {
-            let z = (self.ground)(tree.at);
-            // Whoever stands on the far border stands in its last step.
-            let [x, y] = tree.at.map(|metres| (metres / side * 65_536.0) as u16);
-            if z.is_finite() {
-                self.trees.push(Tree { x, y, z: sixteenths(z - self.base), kind: MEASURED | index as u16 });
-            }
-        }
-    }
-}
-
-/// Metres as [`Tree::z`]; saturates beyond 2 km.
-fn sixteenths(metres: f64) -> i16 {
-    (metres * 16.0).round() as i16
-}
-
-/// Stands of this kind of planting, with their state, among all of a cell.
-fn planted(states: &[Option<&StandState>], is_kind: impl Fn(Plant) -> bool) -> Vec<bool> {
-    states.iter().map(|state| state.is_some_and(|state| is_kind(state.plant) && state.density > 0.0)).collect()
 }
 
 #[cfg(test)]

@@ -20,8 +20,8 @@ const JITTER: f64 = 0.12;
 
 pub(super) fn grow(site: &mut Site) {
     let is_here = planted(&site.states, |plant| plant == Plant::Rows);
-    for stand in 0..site.states.len() {
-        if let Some(state) = site.states[stand].filter(|_| is_here[stand]) {
+    for (stand, is_here) in is_here.into_iter().enumerate() {
+        if let Some(state) = site.states[stand].filter(|_| is_here) {
             Lattice::of(site, stand, state).plant(site);
         }
     }

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::forest::area::{Form, MeasuredTree, Patch, Plant, Species, Spread, Stand};
+use crate::forest::random::mix64;
 use crate::scene::Place;
 
 fn state(density: f64, plant: Plant, cover: Option<u8>) -> StandState {
