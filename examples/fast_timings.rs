@@ -5,7 +5,7 @@
 use farop::color::Rgb;
 use farop::image::Image;
 use farop::math::{Affine3, Vec3, cos, sin};
-use farop::parse::{ParseOptions, read_nff};
+use farop::parse::{ParseOptions, read_nff, scene_of_triangles};
 use farop::plan::{Choices, Culling, Shading};
 use farop::raster::fast::{Fast, Instructions};
 use farop::raster::{PerPolygon, Rasterizer, Wire, ZBuffer};
@@ -109,6 +109,12 @@ fn fill() -> Scene {
     scene_of(mesh)
 }
 
+/// Trees with holes, one behind the other.
+fn forest(name: &str) -> Scene {
+    let triangles = spd::bench::triangles(name).expect("is built in");
+    scene_of_triangles(name, &triangles).expect("a legal scene").scene
+}
+
 /// Milliseconds: of the processor on one thread, of the clock on several.
 struct Stopwatch(Instant, f64, bool);
 
@@ -152,6 +158,8 @@ fn cases(threads: u32, only: &str) -> Vec<Case> {
         ("balls:100k", Box::new(|| balls(100_000))),
         ("balls:1m", Box::new(|| balls(1_000_000))),
         ("fill", Box::new(fill)),
+        ("forest:10k", Box::new(|| forest("forest:10k"))),
+        ("forest:125k", Box::new(|| forest("forest:125k"))),
     ];
     let mut cases = Vec::new();
     for (name, scene) in scenes.into_iter().filter(|(name, _)| name.contains(only.split('/').next().unwrap_or(""))) {
@@ -195,6 +203,8 @@ fn each_trick(rounds: usize, threads: u32, only: &str) {
         ("no small", without(|fast| fast.shortcuts.small = false)),
         ("no blocks", without(|fast| fast.shortcuts.blocks = false)),
         ("no far", without(|fast| fast.shortcuts.far = false)),
+        ("no holes", without(|fast| fast.shortcuts.holes = false)),
+        ("no light", without(|fast| fast.shortcuts.light = false)),
         ("avx2", without(|fast| fast.instructions = Instructions::Avx2)),
         ("sse2", without(|fast| fast.instructions = Instructions::Baseline)),
         ("plain", without(|fast| fast.instructions = Instructions::Plain)),

@@ -61,6 +61,9 @@ impl LabCommand {
         if !(self.budget >= 0.0 && self.budget < 1e9) {
             return Err(CliError::failed("--budget: give seconds, 0 or more"));
         }
+        if super::forest::frame::is_forest(&self.scenes.scenes) {
+            return self.of_forest(registry);
+        }
         let loaded = self.scenes.load(&self.picture)?;
         let base = self.picture.choices();
         let rasterizers = self.rasterizers(registry)?;
@@ -74,13 +77,52 @@ impl LabCommand {
         let start = Instant::now();
         let truth = Truth::new(&loaded.scene, &base, None)?;
         let traced = start.elapsed();
-        let effort =
-            Effort { rounds: self.runs as usize, budget: Duration::from_secs_f64(self.budget), seed: self.seed };
+        let effort = self.effort();
         let bar = Bar::new();
         let rows =
             lab::run(&loaded.scene, (&base, &truth), &list, (&effort, &|work, done, all| bar.show(work, done, all)))?;
         bar.clear();
         self.report(&loaded.scene, &truth, &rows, traced)
+    }
+
+    fn effort(&self) -> Effort {
+        Effort { rounds: self.runs as usize, budget: Duration::from_secs_f64(self.budget), seed: self.seed }
+    }
+
+    /// The lab of a pack: what is compared is the scene of a frame itself.
+    fn of_forest(&self, registry: &Registry) -> Result<(), CliError> {
+        let name = self.rasterizer.first().map_or("fast", String::as_str);
+        let chosen = find_rasterizer(registry, name)?;
+        let Some(chosen) = chosen.filter(|chosen| self.rasterizer.len() < 2 && chosen.name() != "wire") else {
+            return Err(CliError::failed("the lab of a forest compares frames: give one rasterizer that draws areas"));
+        };
+        let path = Path::new(&self.scenes.scenes[0]);
+        let bar = Bar::new();
+        let progress = |work: &str, done: usize, all: usize| bar.show(work, done, all);
+        let (rows, (width, height)) =
+            super::forest::frame::lab(path, &self.picture, chosen.rasterizer(), (&self.effort(), &progress))?;
+        bar.clear();
+        let title = format!("{} at {width}x{height}, {name}", path.display());
+        let runs = rows.iter().map(|row| row.timing.runs).max().unwrap_or(0);
+        let head = format!(
+            "{title}: {} ways, {runs} runs each; truth: every tree, the finest relief, 4 x 4 samples",
+            rows.len()
+        );
+        error::print(&format!("{head}\n\n{}\n{}\n{}", table::text(&rows), table::volume_text(&rows), table::LEGEND))?;
+        if let Some(path) = &self.csv {
+            save::write_whole(path, table::csv(&rows).as_bytes())?;
+        }
+        if let Some(path) = &self.json {
+            let run = serde_json::json!({
+                "scenes": self.scenes.scenes,
+                "size": [width, height],
+                "truth": "own finest frame",
+                "seed": self.seed,
+                "version": env!("CARGO_PKG_VERSION"),
+            });
+            save::write_whole(path, format!("{:#}\n", table::json(&rows, &run)).as_bytes())?;
+        }
+        self.plot.as_ref().map_or(Ok(()), |path| write_plot(path, &Chart::new(&title, &rows)))
     }
 
     /// Those that were asked for, in this program or outside of it, or all of this program that draw areas.

@@ -16,6 +16,7 @@ mod convert;
 mod dump;
 mod error;
 mod extremes;
+mod forest;
 mod generate;
 mod grade;
 mod lab;
@@ -112,6 +113,7 @@ enum Command {
     Generate(generate::GenerateCommand),
     Plan(plan::PlanCommand),
     Terrain(Box<terrain::TerrainCommand>),
+    Forest(Box<forest::ForestCommand>),
     Why(why::WhyCommand),
     View(view::ViewCommand),
     List(list::ListCommand),
@@ -157,6 +159,7 @@ impl Command {
             Command::Generate(command) => command.run(),
             Command::Plan(command) => command.run(registry),
             Command::Terrain(command) => command.run(registry),
+            Command::Forest(command) => command.run(registry),
             Command::Why(command) => command.run(registry),
             Command::View(command) => command.run(registry),
             Command::List(command) => command.run(registry),

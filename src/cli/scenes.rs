@@ -2,6 +2,7 @@
 
 use super::error::{self, CliError, notice};
 use super::options::PictureOptions;
+use crate::diagnostic::Diagnostics;
 use crate::parse::{self, Format, ParseOptions, Parsed, Winding};
 use crate::plan::Plan;
 use crate::raster::external::External;
@@ -65,7 +66,14 @@ impl SceneOptions {
         let mut merged = Scene::default();
         let mut default_camera = None;
         for name in &self.scenes {
-            let parsed = self.read(name, picture.resolution, &mut notices)?;
+            let parsed = match super::forest::frame::of_large_pack(Path::new(name), picture)? {
+                Some((scene, text)) => {
+                    notice(&text);
+                    notices.push(text);
+                    Parsed { scene, notices: Diagnostics::default(), default_camera: None }
+                }
+                None => self.read(name, picture.resolution, &mut notices)?,
+            };
             default_camera = parsed.default_camera.or(default_camera);
             for parameter in merged.merge(parsed.scene) {
                 let text = format!("the {parameter} of {name} wins over that of the scenes before it");

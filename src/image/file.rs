@@ -59,6 +59,12 @@ pub enum ImageError {
         /// The reader's own words.
         what: String,
     },
+    /// A frame of a GIF cannot be written.
+    #[error("cannot write the GIF: {what}")]
+    Gif {
+        /// The writer's own words.
+        what: String,
+    },
     /// More pixels than [`MAX_PIXELS`].
     #[error("{width} x {height} is too large: at most {MAX_PIXELS} pixels are read")]
     TooLarge {

@@ -11,6 +11,7 @@
 mod file;
 pub mod flip;
 pub mod metrics;
+pub mod movie;
 mod picture;
 mod planes;
 mod png;
@@ -132,16 +133,26 @@ impl Image {
     #[must_use]
     pub fn encode(&self, encoding: Encoding) -> Picture {
         let mut rgb = Vec::new();
-        self.encode_into(encoding, &mut rgb);
+        let threads = std::thread::available_parallelism().map_or(1, |count| count.get() as u32);
+        self.encode_into(encoding, threads, &mut rgb);
         Picture::from_parts(self.width, self.height, rgb)
     }
 
-    /// The bytes of [`Image::encode`], in memory that earlier pictures have used.
-    pub fn encode_into(&self, encoding: Encoding, rgb: &mut Vec<u8>) {
+    /// The bytes of [`Image::encode`], in memory that earlier pictures have used, by up to `threads` threads.
+    ///
+    /// A small picture is encoded before another thread would have begun: each has at least 2^16 pixels to do.
+    pub fn encode_into(&self, encoding: Encoding, threads: u32, rgb: &mut Vec<u8>) {
+        const LEAST: usize = 1 << 16;
         rgb.resize(self.pixels.len() * 3, 0);
-        for (bytes, light) in rgb.chunks_exact_mut(3).zip(&self.pixels) {
-            bytes.copy_from_slice(&light.to_array().map(|channel| encoding.level(channel)));
+        let each = self.pixels.len().div_ceil(threads.max(1) as usize).max(LEAST);
+        if self.pixels.len() <= each {
+            return encoding.levels(&self.pixels, rgb);
         }
+        std::thread::scope(|scope| {
+            for (bytes, pixels) in rgb.chunks_mut(3 * each).zip(self.pixels.chunks(each)) {
+                scope.spawn(move || encoding.levels(pixels, bytes));
+            }
+        });
     }
 }
 

@@ -146,6 +146,12 @@ impl WholeFile {
         Ok(WholeFile { path: path.to_path_buf(), out: Out::Temporary(BufWriter::new(temporary), target) })
     }
 
+    /// The name it was asked for.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
     /// Gives the file its final name.
     ///
     /// # Errors

@@ -122,7 +122,8 @@ impl<'a> Judge<'a> {
         Ok(errors)
     }
 
-    fn of_image(&self, image: &Image) -> Errors {
+    /// The errors of the colors of a finished picture.
+    pub(super) fn of_image(&self, image: &Image) -> Errors {
         let picture = image.encode(self.encoding);
         let mut differences = self.flip.differences(&picture);
         let count = differences.len().max(1) as f64;

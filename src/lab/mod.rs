@@ -14,6 +14,7 @@ pub mod chart;
 pub mod check;
 pub mod configurations;
 pub mod errors;
+pub mod forest;
 pub mod measure;
 mod owners;
 pub mod pareto;

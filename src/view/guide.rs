@@ -11,7 +11,7 @@ use super::stages::short;
 use crate::math::Vec3;
 use crate::model::{bounding_ball, bounding_ball_of_mesh};
 use crate::plan::View;
-use crate::scene::Scene;
+use crate::scene::{Camera, Scene};
 
 /// Something with a name.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,7 +39,11 @@ pub fn landmarks(scene: &Scene) -> Vec<Landmark> {
             let shapes = surface.primitives.iter().map(|primitive| bounding_ball(&primitive.shape));
             bounding_ball_of_mesh(&surface.mesh).into_iter().chain(shapes)
         });
-        let centers: Vec<Vec3> = balls.map(|ball| ball.center).collect();
+        let mut centers: Vec<Vec3> = balls.map(|ball| ball.center).collect();
+        // A name and nothing else is a place: a landmark of an area.
+        if placed.object.surfaces.is_empty() && placed.object.children.is_empty() {
+            centers.push(Vec3::ZERO);
+        }
         if !centers.is_empty() {
             let middle = centers.iter().copied().sum::<Vec3>() / centers.len() as f64;
             let place = placed.world_from_local.transform_point3(middle);
@@ -105,10 +109,32 @@ pub(super) fn names(board: &mut Board, landmarks: &[Landmark], view: &View, scal
     }
 }
 
+/// Draws the compass and the names of landmarks over a picture that `camera` has seen.
+pub fn over(board: &mut Board, camera: &Camera, view: &View, landmarks: &[Landmark]) {
+    let scale = if board.height() > 1400 { 2 } else { 1 };
+    names(board, landmarks, view, scale);
+    compass(board, &Eye::new(camera), scale);
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{Camera, Place};
+    use crate::math::Affine3;
+    use crate::scene::{Object, ObjectId, Place};
+
+    #[test]
+    fn a_name_and_nothing_else_is_a_place() {
+        let object = |name: &str, children: Vec<ObjectId>| Object {
+            name: name.to_string(),
+            parent_from_local: Affine3::from_translation(Vec3::new(1.0, 2.0, 3.0)),
+            surfaces: Vec::new(),
+            children,
+            place: Place::default(),
+        };
+        let objects = vec![object("area", vec![ObjectId(1)]), object("Foia", Vec::new()), object("", Vec::new())];
+        let scene = Scene { objects, world: vec![ObjectId(0), ObjectId(2)], ..Scene::default() };
+        assert_eq!(landmarks(&scene), [Landmark { name: "Foia".to_string(), place: Vec3::new(2.0, 4.0, 6.0) }]);
+    }
 
     #[test]
     fn north_is_ahead_and_east_is_right() {

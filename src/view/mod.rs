@@ -30,6 +30,7 @@ mod solids;
 pub mod stages;
 mod state;
 mod steps;
+pub mod tour;
 mod words;
 
 pub use board::Board;

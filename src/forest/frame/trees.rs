@@ -118,7 +118,8 @@ impl Planter<'_> {
         (sink, counts): (&mut Sink, &mut FrameCounts),
     ) {
         let all = grove.trees.len() as u64;
-        let (center, radius) = crate::forest::frustum::sphere(square.corner, square.side, (grove.range[0], grove.range[1]));
+        let (center, radius) =
+            crate::forest::frustum::sphere(square.corner, square.side, (grove.range[0], grove.range[1]));
         // Crowns reach beyond their square, and trees that stand for others are larger.
         let radius = radius + 10.0;
         if !self.eye.frustum.sees(center, radius) {
@@ -144,7 +145,14 @@ impl Planter<'_> {
     }
 
     #[inline]
-    fn tree(&self, foot: Vec3, size: &Size, picture: usize, is_inside: bool, (sink, counts): (&mut Sink, &mut FrameCounts)) {
+    fn tree(
+        &self,
+        foot: Vec3,
+        size: &Size,
+        picture: usize,
+        is_inside: bool,
+        (sink, counts): (&mut Sink, &mut FrameCounts),
+    ) {
         let away = foot - self.eye.at;
         let level = away.x * away.x + away.y * away.y;
         if level > self.choices.horizon * self.choices.horizon {

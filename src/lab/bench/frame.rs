@@ -110,7 +110,7 @@ pub fn draw(
     times.raster = timer.stop();
 
     let timer = StageTimer::start();
-    buffers.image.encode_into(choices.encoding, &mut buffers.levels);
+    buffers.image.encode_into(choices.encoding, canvas.threads, &mut buffers.levels);
     times.levels = timer.stop();
 
     if buffers.writes && puts.failure.is_none() {

@@ -5,7 +5,7 @@
 //! Every scene is drawn by `fast` with one random choice of threads, tile side and instructions, and compared bit by bit with the
 //! z-buffer's picture; some with every combination. Stars and combs that pierce and touch ([`super::random_scenes`]) take turns with
 //! meshes ([`super::random_meshes`]): slivers, triangles below a pixel, huge ones, coplanar ones, transparent ones. How hard they were is
-//! counted sample by sample from the lists. Then every built-in scene, at three sizes with all effort.
+//! counted sample by sample from the lists. Then scenes in pictures ([`super::fast_textured`]) and every built-in scene, at three sizes with all effort.
 //!
 //! Space: samples. Cost: a few milliseconds a scene, most of them for starting threads.
 
@@ -38,6 +38,7 @@ pub(super) fn run(effort: &Effort, report: &mut Report) {
         tally.scene(&format!("random scene {seed}"), (&scene, &choices), &ways, report);
     }
     tally.print(report);
+    super::fast_textured::run(effort, report);
     standard_scenes(effort, report);
 }
 
@@ -76,9 +77,9 @@ fn standard(name: &str, size: u32) -> Option<Scene> {
 }
 
 /// Tile side, threads, instructions, and whether there are shortcuts.
-type Way = (u32, u32, Instructions, bool);
+pub(super) type Way = (u32, u32, Instructions, bool);
 
-fn any_way(random: &mut Random) -> Way {
+pub(super) fn any_way(random: &mut Random) -> Way {
     let tile = 8 * (1 + random.below(32) as u32);
     let threads = 1 + random.below(64) as u32;
     (tile, threads, Instructions::ALL[random.below(4) as usize], !random.once_in(4))
@@ -96,22 +97,22 @@ fn every_way() -> Vec<Way> {
 
 /// Sums over scenes.
 #[derive(Default)]
-struct Tally {
-    scenes: u64,
-    pictures: u64,
-    different: u64,
-    by_edges: u64,
-    by_spans: u64,
+pub(super) struct Tally {
+    pub scenes: u64,
+    pub pictures: u64,
+    pub different: u64,
+    pub by_edges: u64,
+    pub by_spans: u64,
     by_samples: u64,
-    polygons: u64,
-    overlapped: u64,
+    pub polygons: u64,
+    pub overlapped: u64,
     tied: u64,
     cut: u64,
-    transparent: u64,
+    pub transparent: u64,
 }
 
 impl Tally {
-    fn scene(&mut self, name: &str, (scene, choices): (&Scene, &Choices), ways: &[Way], report: &mut Report) {
+    pub fn scene(&mut self, name: &str, (scene, choices): (&Scene, &Choices), ways: &[Way], report: &mut Report) {
         let alone = Choices { threads: Some(1), ..choices.clone() };
         let expected = match render(scene, &alone, Some(&ZBuffer)) {
             Ok(rendered) => rendered,
@@ -120,7 +121,7 @@ impl Tally {
         self.count(&expected);
         for &(tile, threads, instructions, short) in ways {
             let mut fast = Fast::new(tile, instructions);
-            fast.shortcuts = Shortcuts { small: short, blocks: short, far: short };
+            fast.shortcuts = Shortcuts::all(short);
             let choices = Choices { threads: Some(threads), ..choices.clone() };
             self.pictures += 1;
             let Ok(drawn) = render(scene, &choices, Some(&fast)) else { continue };

@@ -10,6 +10,7 @@
 
 use super::edges::{Outline, are_in_range};
 use super::layout::Layout;
+use super::level::Shortcuts;
 use super::small::{Small, covered, is_small};
 use crate::color::Rgb;
 use crate::plan::DepthFormat;
@@ -47,6 +48,8 @@ pub(super) struct Shape {
     pub way: Way,
     /// Light gets through it: it is kept apart and leaves depth alone.
     pub transparent: bool,
+    /// Its surface has holes: a sample is kept apart until its alpha was looked up.
+    pub cut_out: bool,
     /// The box of samples it may cover.
     pub columns: [i32; 2],
     pub rows: [i32; 2],
@@ -54,11 +57,19 @@ pub(super) struct Shape {
     pub depth: Plane,
 }
 
+impl Shape {
+    /// Whether samples are put on a list first, and leave depth alone for now.
+    #[inline(always)]
+    pub fn is_kept_apart(&self) -> bool {
+        self.transparent || self.cut_out
+    }
+}
+
 /// The shapes of one contiguous range of the list. Kept from frame to frame.
 #[derive(Debug, Default)]
 pub(super) struct Segment {
-    /// Small polygons are kept apart.
-    knows_small: bool,
+    /// Which polygons are kept in which way.
+    shortcuts: Shortcuts,
     pub smalls: Vec<Small>,
     pub shapes: Vec<Shape>,
     /// Corners in 1/256 of a sample, walked so that the inside is on the right (y runs down).
@@ -108,8 +119,14 @@ pub(super) type Reach = [[i32; 2]; 2];
 
 impl Segment {
     /// Empties it, and fills it with the polygons in `range`.
-    pub fn fill(&mut self, list: &DrawList, range: Range<usize>, (layout, small): (&Layout, bool), level: Level) {
-        self.knows_small = small;
+    pub fn fill(
+        &mut self,
+        list: &DrawList,
+        range: Range<usize>,
+        (layout, shortcuts): (&Layout, Shortcuts),
+        level: Level,
+    ) {
+        self.shortcuts = shortcuts;
         self.smalls.clear();
         self.shapes.clear();
         self.corners.clear();
@@ -123,6 +140,12 @@ impl Segment {
         for index in range {
             self.add(simd, &list.polygon(index), list, layout);
         }
+    }
+
+    /// Whether samples of the polygon are decided as the z-buffer does.
+    #[inline(always)]
+    fn is_one_by_one(&self, polygon: &ScreenPolygon<'_>) -> bool {
+        !self.shortcuts.holes && polygon.is_cut_out()
     }
 
     fn bin(&mut self, entry: Entry, [columns, rows]: Reach, layout: &Layout) {
@@ -149,15 +172,16 @@ impl Segment {
             [first_center(outline.least[1]), first_center(outline.most[1])],
         ];
         let Some(inside) = cut(whole, layout) else { return };
-        if self.knows_small && is_small(inside) && inside == whole && !polygon.is_cut_out() && outline.make_ready() {
+        let may_be_small = self.shortcuts.small && is_small(inside) && inside == whole && !self.is_one_by_one(polygon);
+        if may_be_small && outline.make_ready() {
             let covered = covered(simd, &outline, inside);
             if covered == 0 {
                 return;
             }
             if let Some(plane) = polygon.depth_plane().filter(|plane| has_single_depth(list, plane)) {
                 let entry = Entry::new(self.smalls.len(), Kind::Small);
-                let (index, transparent) = (polygon.index, is_transparent(list, polygon));
-                self.smalls.push(Small::new(plane, covered, inside, (index, transparent)));
+                let what = (polygon.index, is_transparent(list, polygon), polygon.is_cut_out());
+                self.smalls.push(Small::new(plane, covered, inside, what));
                 return self.bin(entry, inside, layout);
             }
         }
@@ -173,10 +197,10 @@ impl Segment {
         layout: &Layout,
     ) {
         let Some(&depth) = polygon.depth_plane() else { return };
-        let single = has_single_depth(list, &depth);
+        let single = has_single_depth(list, &depth) && !self.is_one_by_one(polygon);
         let first_corner = self.corners.len() as u32;
         let cut_out = polygon.is_cut_out();
-        let is_fit = |outline: &Outline| single && !cut_out && are_in_range(outline.least, outline.most, layout.side);
+        let is_fit = |outline: &Outline| single && are_in_range(outline.least, outline.most, layout.side);
         let outline = outline.filter(is_fit);
         let mut corner_count = 0;
         if let Some(mut outline) = outline
@@ -189,15 +213,25 @@ impl Segment {
             corner_count = outline.corners().len() as u8;
         }
         let (way, kind) = match (corner_count > 0, single) {
-            _ if cut_out => (Way::CutOut, Kind::Other),
             (true, _) => (Way::Edges, Kind::Edges),
             (false, true) => (Way::Runs, Kind::Other),
+            (false, false) if cut_out => (Way::CutOut, Kind::Other),
             (false, false) => (Way::Spans, Kind::Other),
         };
         let entry = Entry::new(self.shapes.len(), kind);
         let (polygon, transparent) = (polygon.index, is_transparent(list, polygon));
         let [columns, rows] = inside;
-        self.shapes.push(Shape { polygon, first_corner, corner_count, way, transparent, columns, rows, depth });
+        self.shapes.push(Shape {
+            polygon,
+            first_corner,
+            corner_count,
+            way,
+            transparent,
+            cut_out,
+            columns,
+            rows,
+            depth,
+        });
         self.bin(entry, inside, layout);
     }
 }

@@ -25,7 +25,7 @@ pub(super) type Light<'a> = [&'a mut [f32]; 3];
 
 /// Whether depths of a tile are 1/w, and what varies comes from planes: then what is here applies.
 pub(super) fn applies(list: &DrawList) -> bool {
-    matches!(list.varying, Varying::Color | Varying::NormalEye | Varying::NormalEyeColor)
+    list.varying.without_texture() != Varying::Nothing
         && list.precision == Precision::Single
         && list.depth_mapping.format == DepthFormat::F32
         && list.interpolation != Interpolation::ScanLine
@@ -46,32 +46,25 @@ pub(super) struct Finished<'a> {
     pub powers: u64,
 }
 
-/// Finds the light of every sample.
+/// Finds the light of every sample, without pictures.
 pub(super) fn shade(level: Level, tile: &mut Finished<'_>) {
-    match tile.list.varying {
-        Varying::Nothing => {}
-        Varying::Color => dispatch!(level, simd => shade_blocks::<_, 3>(simd, tile)),
-        Varying::NormalEye => dispatch!(level, simd => shade_blocks::<_, 6>(simd, tile)),
-        Varying::NormalEyeColor => dispatch!(level, simd => shade_blocks::<_, 9>(simd, tile)),
-        // Not here: [`applies`], [`super::textured`].
-        Varying::ColorTexture | Varying::NormalEyeTexture | Varying::NormalEyeColorTexture => {}
+    match tile.list.varying.light_count() {
+        3 => dispatch!(level, simd => shade_blocks::<_, 3>(simd, tile)),
+        6 => dispatch!(level, simd => shade_blocks::<_, 6>(simd, tile)),
+        9 => dispatch!(level, simd => shade_blocks::<_, 9>(simd, tile)),
+        // Nothing varies: [`applies`].
+        _ => {}
     }
 }
 
-/// Finds the colors of fragments, each of any polygon at any sample; depths are 1/w.
+/// Finds the colors of fragments, each of any polygon at any sample, without pictures; depths are 1/w.
 pub(super) fn shade_fragments(level: Level, list: &DrawList, fragments: &mut [Fragment]) {
     let mut powers = 0;
-    match list.varying {
-        Varying::Nothing => fragments.iter_mut().for_each(|fragment| fragment.color = list.shader.line_color),
-        Varying::Color => dispatch!(level, simd => shade_each::<_, 3>(simd, list, fragments, &mut powers)),
-        Varying::NormalEye => dispatch!(level, simd => shade_each::<_, 6>(simd, list, fragments, &mut powers)),
-        Varying::NormalEyeColor => dispatch!(level, simd => shade_each::<_, 9>(simd, list, fragments, &mut powers)),
-        Varying::ColorTexture | Varying::NormalEyeTexture | Varying::NormalEyeColorTexture => {
-            for fragment in fragments {
-                let polygon = list.polygon(fragment.polygon as usize);
-                fragment.color = list.shader.fragment(&polygon, fragment.x, fragment.y).color;
-            }
-        }
+    match list.varying.light_count() {
+        3 => dispatch!(level, simd => shade_each::<_, 3>(simd, list, fragments, &mut powers)),
+        6 => dispatch!(level, simd => shade_each::<_, 6>(simd, list, fragments, &mut powers)),
+        9 => dispatch!(level, simd => shade_each::<_, 9>(simd, list, fragments, &mut powers)),
+        _ => fragments.iter_mut().for_each(|fragment| fragment.color = list.shader.line_color),
     }
     list.shader.add_powers(powers);
 }
@@ -94,7 +87,7 @@ fn shade_each<S: Simd, const N: usize>(simd: S, list: &DrawList, fragments: &mut
                 Rgb::new(light[0][lane], light[1][lane], light[2][lane])
             } else {
                 let polygon = list.polygon(fragment.polygon as usize);
-                list.shader.fragment(&polygon, fragment.x, fragment.y).color
+                list.shader.color(&polygon, &polygon.values(fragment.x, fragment.y))
             };
         }
     }
@@ -193,7 +186,7 @@ fn put_odd(tile: &mut Finished<'_>, index: usize, odd: u64, (x, y): (i32, i32)) 
     while rest != 0 {
         let lane = rest.trailing_zeros() as usize;
         let polygon = tile.list.polygon(tile.owner[index + lane] as usize);
-        let color = tile.list.shader.fragment(&polygon, x + lane as i32, y).color;
+        let color = tile.list.shader.color(&polygon, &polygon.values(x + lane as i32, y));
         let [red, green, blue] = &mut tile.light;
         (red[index + lane], green[index + lane], blue[index + lane]) = (color.r, color.g, color.b);
         rest &= rest - 1;

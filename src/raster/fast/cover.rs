@@ -18,8 +18,8 @@ use super::lanes::counting;
 use super::layout::{Area, LANES};
 use super::level::Shortcuts;
 use super::tile::Veil;
-use crate::screen::BLOCK;
 use crate::screen::lane::{Lane, in_block};
+use crate::screen::{BLOCK, DrawList};
 use fearless_simd::{Level, Select, Simd, SimdBase, SimdMask, dispatch, f32x8, i32x8, mask32x8, u32x8};
 
 /// Samples of a step.
@@ -35,14 +35,17 @@ pub(super) struct Samples<'a> {
     pub owner: &'a mut [u32],
     /// Per block, rows of [`blocks_across`]: no sample of the block is farther than this.
     pub far: &'a mut [f32],
+    /// Per block, how many samples of surfaces with holes were kept since then.
+    pub stale: &'a mut [u16],
     pub veils: &'a mut Vec<Veil>,
     pub shortcuts: Shortcuts,
+    pub list: &'a DrawList,
 }
 
 impl Samples<'_> {
     /// Where the bound of the block of sample (x, y) is kept.
     #[inline(always)]
-    fn far_index(&self, x: i32, y: i32) -> usize {
+    pub fn far_index(&self, x: i32, y: i32) -> usize {
         let block = |sample: i32, start: i32| (sample / BLOCK - start / BLOCK) as usize;
         block(y, self.area.rows.start) * blocks_across(self.stride) + block(x, self.area.columns.start)
     }
@@ -63,7 +66,11 @@ pub(super) type Run = (i32, i32, i32);
 
 /// Draws a polygon whose covered columns were found by other means.
 pub(super) fn draw_runs(level: Level, mut samples: Samples<'_>, shape: &Shape, runs: &[Run]) {
+    let first = samples.veils.len();
     dispatch!(level, simd => draw_steps(simd, &mut samples, shape, runs));
+    if shape.cut_out {
+        samples.settle(shape.polygon, shape.transparent, first);
+    }
 }
 
 #[inline(always)]
@@ -86,7 +93,7 @@ fn draw_steps<S: Simd>(simd: S, samples: &mut Samples<'_>, shape: &Shape, runs: 
             let depth = in_block(f32x8::splat(simd, anchor), slope, [dx, dy]).hold(low, high);
             let column = numbers + i32x8::splat(simd, x);
             let inside = column.simd_ge(i32x8::splat(simd, start)) & column.simd_lt(i32x8::splat(simd, end));
-            show(simd, samples, index, (depth, inside), (shape.polygon, shape.transparent));
+            show(simd, samples, index, (depth, inside), (shape.polygon, shape.is_kept_apart()));
             x += STEP;
         }
     }
@@ -100,12 +107,15 @@ fn draw_all<S: Simd>(simd: S, samples: &mut Samples<'_>, segment: &Segment, entr
             continue;
         }
         let shape = &segment.shapes[entry.index()];
-        let first = shape.first_corner as usize;
+        let (first, before) = (shape.first_corner as usize, samples.veils.len());
         let corners = &segment.corners[first..first + usize::from(shape.corner_count)];
         match corners.len() {
             3 => draw_convex::<S, 3>(simd, samples, shape, corners),
             4 => draw_convex::<S, 4>(simd, samples, shape, corners),
             _ => draw_convex::<S, MOST_EDGES>(simd, samples, shape, corners),
+        }
+        if shape.cut_out {
+            samples.settle(shape.polygon, shape.transparent, before);
         }
     }
 }
@@ -200,7 +210,8 @@ fn draw_in_block<S: Simd, const N: usize>(
         Lies::Inside => rows.draw::<0>(samples, &[], (x - block_x, y - block_y)),
         _ => rows.draw(samples, edges, (x - block_x, y - block_y)),
     };
-    if is_whole && !shape.transparent {
+    // What is kept apart leaves what was there, and that is a bound as well.
+    if is_whole {
         samples.far[far] = farthest;
     }
 }
@@ -252,8 +263,8 @@ impl<S: Simd> Rows<'_, S> {
                 let dy = f32x8::splat(simd, (dy + row) as f32);
                 let depth = in_block(anchor, [a, b], [dx, dy]).hold(low, high);
                 let inside = outside.simd_ge(i32x8::splat(simd, 0));
-                let shape = self.shape;
-                let after = show(simd, samples, index, (depth, inside), (shape.polygon, shape.transparent));
+                let what = (self.shape.polygon, self.shape.is_kept_apart());
+                let after = show(simd, samples, index, (depth, inside), what);
                 farthest = after.simd_lt(farthest).select(after, farthest);
                 index += samples.stride;
                 row += 1;
@@ -287,13 +298,13 @@ pub(super) fn show<S: Simd>(
     samples: &mut Samples<'_>,
     index: usize,
     (depth, inside): (f32x8<S>, mask32x8<S>),
-    (polygon, transparent): (u32, bool),
+    (polygon, apart): (u32, bool),
 ) -> f32x8<S> {
     let depths = &mut samples.depth[index..index + LANES as usize];
     let before = f32x8::from_slice(simd, depths);
     // Strictly nearer: of two polygons at the same depth, the first in the list keeps the sample.
     let shown = inside & depth.simd_gt(before);
-    if transparent {
+    if apart {
         push_veils(samples.veils, index, shown.to_bitmask(), (depth, polygon));
         return before;
     }

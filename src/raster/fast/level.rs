@@ -28,11 +28,23 @@ pub struct Shortcuts {
     pub blocks: bool,
     /// Blocks in which a polygon is nowhere nearer than the farthest that is there are left out.
     pub far: bool,
+    /// Surfaces with holes are compared in lanes, and alpha is looked up of what would win; without it, sample by sample.
+    pub holes: bool,
+    /// Light is found in lanes; without it, sample by sample.
+    pub light: bool,
+}
+
+impl Shortcuts {
+    /// All of them or none.
+    #[must_use]
+    pub fn all(taken: bool) -> Shortcuts {
+        Shortcuts { small: taken, blocks: taken, far: taken, holes: taken, light: taken }
+    }
 }
 
 impl Default for Shortcuts {
     fn default() -> Self {
-        Shortcuts { small: true, blocks: true, far: true }
+        Shortcuts::all(true)
     }
 }
 

@@ -112,9 +112,9 @@ impl Job<'_> {
         segments.resize_with(self.threads, Segment::default);
         let each = self.list.len().div_ceil(self.threads).max(1);
         let range = |number: usize| (number * each).min(self.list.len())..((number + 1) * each).min(self.list.len());
-        let (level, small) = (self.instructions.level(), self.shortcuts.small);
+        let (level, shortcuts) = (self.instructions.level(), self.shortcuts);
         in_threads(segments, |number, segment| {
-            segment.fill(self.list, range(number), (&self.layout, small), level);
+            segment.fill(self.list, range(number), (&self.layout, shortcuts), level);
         });
     }
 

@@ -12,7 +12,7 @@ use super::layout::LANES;
 use super::tile::NOBODY;
 use crate::plan::Interpolation;
 use crate::screen::lane::{Lane, in_block};
-use crate::screen::{BLOCK, DrawList, Evaluation, Plane};
+use crate::screen::{BLOCK, DrawList, Evaluation, Plane, ScreenPolygon};
 use fearless_simd::{Select, Simd, SimdBase, SimdMask, f32x8, f64x8, mask32x8};
 
 const COUNT: usize = LANES as usize;
@@ -49,7 +49,7 @@ impl<const N: usize> Ready<N> {
     #[inline(always)]
     pub fn new(list: &DrawList, polygon: u32, (x, y): (i32, i32)) -> Self {
         let view = list.polygon(polygon as usize);
-        let planes = view.varying_planes();
+        let planes = light_planes(&view, N);
         let block = (x & !(BLOCK - 1), y & !(BLOCK - 1));
         let mut ready = Ready { polygon, block, single: planes.len() == N, constant: true, ..Ready::nothing() };
         let mut number = 0;
@@ -127,6 +127,13 @@ impl Eight {
     }
 }
 
+/// The first `count` planes of what varies: those behind them are u and v, which [`super::textured`] looks at.
+#[inline(always)]
+fn light_planes<'a>(polygon: &ScreenPolygon<'a>, count: usize) -> &'a [Plane] {
+    let planes = polygon.varying_planes();
+    &planes[..count.min(planes.len())]
+}
+
 /// What varies at eight samples, and which lanes are to be asked for otherwise.
 #[inline(never)]
 pub(super) fn gather<S: Simd, const N: usize>(simd: S, list: &DrawList, eight: &Eight) -> ([f32x8<S>; N], u64) {
@@ -142,7 +149,7 @@ fn gather_all<S: Simd, const N: usize>(simd: S, list: &DrawList, eight: &Eight) 
     let mut odd = 0;
     let mut lane = 0;
     while lane < COUNT {
-        planes[lane] = list.polygon(eight.polygons[lane] as usize).varying_planes();
+        planes[lane] = light_planes(&list.polygon(eight.polygons[lane] as usize), N);
         if planes[lane].len() != N {
             return ([f32x8::splat(simd, 0.0); N], 0xFF);
         }

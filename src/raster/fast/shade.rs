@@ -6,6 +6,7 @@
 //! Cost: one color a sample that shows a polygon, however many lie behind it.
 
 use super::color::{self, Finished};
+use super::textured::wear_on_fragments;
 use super::tile::{Depth, NOBODY, Tile, Veil};
 use crate::color::Rgb;
 use crate::plan::Transparency;
@@ -36,10 +37,8 @@ impl<D: Depth> Tile<D> {
     pub fn shade(&mut self, list: &DrawList, behind: Behind, level: Level) {
         let samples = self.owner.len();
         self.light.iter_mut().for_each(|channel| channel.resize(samples, 0.0));
-        let by_planes = color::applies(list);
-        let is_done = self.shade_textured(list, behind.background);
+        let by_planes = self.shortcuts.light && color::applies(list);
         match D::singles(&mut self.depth) {
-            _ if is_done => {}
             Some(depth) if by_planes => {
                 let (area, stride, owner) = (&self.area, self.stride, &self.owner);
                 let light = self.light.each_mut().map(Vec::as_mut_slice);
@@ -48,6 +47,7 @@ impl<D: Depth> Tile<D> {
                 color::shade(level, &mut tile);
                 self.counts.puts += tile.shown;
                 list.shader.add_powers(tile.powers);
+                self.wear_pictures(list);
             }
             _ => self.shade_samples(list, behind.background),
         }
@@ -104,6 +104,7 @@ impl<D: Depth> Tile<D> {
         // Only what is in front after all is shaded.
         if let Some(level) = level {
             color::shade_fragments(level, list, &mut fragments);
+            wear_on_fragments(list, &mut fragments);
         }
         for fragment in &mut fragments {
             let polygon = list.polygon(fragment.polygon as usize);

@@ -37,6 +37,8 @@ pub(super) struct Small {
     /// Its place in the list.
     polygon: u32,
     transparent: bool,
+    /// Its surface has holes.
+    cut_out: bool,
 }
 
 /// Whether a box of samples is one for this room.
@@ -82,15 +84,30 @@ pub(super) fn covered<S: Simd>(simd: S, outline: &Outline, [columns, rows]: Reac
 
 impl Small {
     #[inline(always)]
-    pub fn new(plane: &Plane, covered: u64, [columns, rows]: Reach, (polygon, transparent): (u32, bool)) -> Small {
+    pub fn new(
+        plane: &Plane,
+        covered: u64,
+        [columns, rows]: Reach,
+        (polygon, transparent, cut_out): (u32, bool, bool),
+    ) -> Small {
         let range = [plane.low as f32, plane.high as f32];
         let plane = [plane.a, plane.b, plane.c];
-        Small { plane, range, covered, left: columns[0], top: rows[0], polygon, transparent }
+        Small { plane, range, covered, left: columns[0], top: rows[0], polygon, transparent, cut_out }
     }
 
     /// Draws what lies in the tile.
     #[inline(always)]
     pub fn draw<S: Simd>(&self, simd: S, samples: &mut Samples<'_>) {
+        let first = samples.veils.len();
+        self.draw_lanes(simd, samples);
+        if self.cut_out {
+            samples.settle(self.polygon, self.transparent, first);
+        }
+    }
+
+    #[inline(always)]
+    fn draw_lanes<S: Simd>(&self, simd: S, samples: &mut Samples<'_>) {
+        let apart = self.transparent || self.cut_out;
         let (mut rest, left) = self.cut(samples);
         let (a, b) = (f32x8::splat(simd, self.plane[0] as f32), f32x8::splat(simd, self.plane[1] as f32));
         let (low, high) = (f32x8::splat(simd, self.range[0]), f32x8::splat(simd, self.range[1]));
@@ -118,7 +135,7 @@ impl Small {
             let (column, line) = (left - samples.area.columns.start, y - samples.area.rows.start);
             let index = line as usize * samples.stride + column as usize;
             let inside = mask32x8::from_bitmask(simd, lanes);
-            show(simd, samples, index, (depth, inside), (self.polygon, self.transparent));
+            show(simd, samples, index, (depth, inside), (self.polygon, apart));
         }
     }
 

@@ -1,31 +1,32 @@
-//! Textured: lists with pictures. Polygons with holes are drawn sample by sample; colors are looked up once, for what is in front.
+//! Textured: what lists with pictures need beside light: which samples of a surface with holes are there, and what a picture multiplies
+//! light by.
 //!
-//! bins -> TEXTURED -> depth and owner; depth and owner -> TEXTURED -> light
+//! bins -cover-> samples in front -TEXTURED: alpha-> depth and owner -color-> light -TEXTURED: texels-> light
 //!
-//! A hole must be known before depth is written, so the deferred way (owner first, color at the end) is not enough: a picture's alpha
-//! is looked up here, its color at the end, for the samples that stay. What a polygon's planes need in a row of a block is made ready
-//! once for as long as the samples go on in it.
+//! A hole must be known before depth is written, so the deferred way (owner first, color at the end) is not enough. But only of samples
+//! that would win: coverage, depth and the rejection of whole blocks are as for any other polygon, eight lanes at a time, and what is
+//! left of it is kept apart, as glass is. When a polygon is through, alpha is looked up for those samples and they
+//! are written or forgotten. That may wait until then, as a polygon covers a sample once.
 //!
-//! Space: samples of the tile. Cost: three planes, two quotients and one alpha a sample in front; at the end one color a sample.
+//! Why whole blocks may be rejected though holes show what is behind: a hole leaves depth alone, so the farthest depth of a block is that of
+//! samples that are there. What is behind all of them cannot show.
+//!
+//! Space: samples of the tile. Cost: two planes, two quotients and one alpha a sample in front; at the end one color a sample.
 
 use super::bins::Shape;
+use super::cover::Samples;
 use super::tile::{Depth, NOBODY, Tile, Veil};
-use crate::color::Rgb;
-use crate::plan::{DepthFormat, Interpolation};
+use crate::plan::Interpolation;
 use crate::raster::coverage::Spans;
 use crate::screen::lane::{Lane, in_block};
-use crate::screen::{BLOCK, DrawList, Plane, Precision, ScreenPolygon, Values};
-use std::ops::Range;
+use crate::screen::shader::TextureShading;
+use crate::screen::{BLOCK, DrawList, Fragment, Plane, ScreenPolygon};
 
-/// Whether depths are 1/w in `f32`, and what varies comes from planes: then what is made ready here applies.
-fn applies(list: &DrawList) -> bool {
-    list.precision == Precision::Single
-        && list.depth_mapping.format == DepthFormat::F32
-        && list.interpolation != Interpolation::ScanLine
-}
+/// Samples of a block that are written before its farthest depth is found anew.
+const STALE: u16 = (BLOCK * BLOCK) as u16;
 
 /// A plane in one block.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 struct Channel {
     anchor: f32,
     slope: [f32; 2],
@@ -55,136 +56,186 @@ fn block_of((x, y): (i32, i32)) -> (i32, i32) {
     (x & !(BLOCK - 1), y & !(BLOCK - 1))
 }
 
+/// Where one polygon's picture is looked up, made ready for one block.
+#[derive(Clone, Copy)]
+struct Place<'a> {
+    polygon: ScreenPolygon<'a>,
+    texture: Option<&'a TextureShading>,
+    block: (i32, i32),
+    /// u and v; `None` where their planes are no matter of `f32`.
+    places: Option<[Channel; 2]>,
+}
+
+impl<'a> Place<'a> {
+    #[inline]
+    fn new(list: &'a DrawList, polygon: u32, sample: (i32, i32)) -> Place<'a> {
+        let (polygon, block) = (list.polygon(polygon as usize), block_of(sample));
+        let first = list.varying.light_count();
+        let places = match polygon.varying_planes().get(first..) {
+            Some([u, v]) if list.interpolation != Interpolation::ScanLine && u.fits_single() && v.fits_single() => {
+                let channel = |number, plane| Channel::new(plane, polygon.is_over_w(number, plane), block);
+                Some([channel(first, u), channel(first + 1, v)])
+            }
+            _ => None,
+        };
+        Place { polygon, texture: list.shader.texture_of(polygon.surface()), block, places }
+    }
+
+    /// The one in `slot`, if it is of this polygon and block; else a new one, which is put there.
+    #[inline]
+    fn kept<'b>(
+        slot: &'b mut Option<Place<'a>>,
+        list: &'a DrawList,
+        polygon: u32,
+        sample: (i32, i32),
+    ) -> &'b Place<'a> {
+        let is_of = |place: &Place<'_>| place.polygon.index == polygon && place.block == block_of(sample);
+        if !slot.as_ref().is_some_and(is_of) {
+            *slot = None;
+        }
+        slot.get_or_insert_with(|| Place::new(list, polygon, sample))
+    }
+
+    /// u and v at sample (x, y), where 1/w is `inverse_w`.
+    #[inline]
+    fn uv(&self, (x, y): (i32, i32), inverse_w: f32) -> [f64; 2] {
+        match &self.places {
+            None => self.polygon.texture_place(x, y),
+            Some(places) => {
+                let at = [(x - self.block.0) as f32, (y - self.block.1) as f32];
+                [f64::from(places[0].value(at, inverse_w)), f64::from(places[1].value(at, inverse_w))]
+            }
+        }
+    }
+}
+
+impl Samples<'_> {
+    /// Decides about the samples that `polygon`, which has holes, has kept apart from number `first` on: those that are there are written, or
+    /// stay apart where it is transparent.
+    #[inline(always)]
+    pub fn settle(&mut self, polygon: u32, transparent: bool, first: usize) {
+        if self.veils.len() > first {
+            self.settle_all(polygon, transparent, first);
+        }
+    }
+
+    #[inline(never)]
+    fn settle_all(&mut self, polygon: u32, transparent: bool, first: usize) {
+        let list = self.list;
+        // A small polygon's rows may lie in two blocks side by side.
+        let mut places = [None, None];
+        let mut kept = first;
+        for number in first..self.veils.len() {
+            let veil = self.veils[number];
+            let (row, column) = (veil.index / self.stride as u32, veil.index % self.stride as u32);
+            let sample = (self.area.columns.start + column as i32, self.area.rows.start + row as i32);
+            let place = Place::kept(&mut places[(sample.0 / BLOCK & 1) as usize], list, polygon, sample);
+            let uv = place.uv(sample, veil.depth as f32);
+            if !list.shader.is_there_at(&place.polygon, sample, veil.depth, uv) {
+                continue;
+            }
+            if transparent {
+                self.veils[kept] = veil;
+                kept += 1;
+            } else {
+                self.keep(veil, sample);
+            }
+        }
+        self.veils.truncate(kept);
+    }
+
+    fn keep(&mut self, veil: Veil, (x, y): (i32, i32)) {
+        let index = veil.index as usize;
+        (self.depth[index], self.owner[index]) = (veil.depth as f32, veil.polygon);
+        let far = self.far_index(x, y);
+        self.stale[far] += 1;
+        if self.stale[far] >= STALE {
+            self.stale[far] = 0;
+            self.find_farthest(far, block_of((x, y)));
+        }
+    }
+
+    /// The farthest depth of a block that lies in the tile as a whole.
+    fn find_farthest(&mut self, far: usize, (x, y): (i32, i32)) {
+        let (columns, rows) = (&self.area.columns, &self.area.rows);
+        let is_whole = x >= columns.start && x + BLOCK <= columns.end && y >= rows.start && y + BLOCK <= rows.end;
+        if !is_whole {
+            return;
+        }
+        let first = (y - rows.start) as usize * self.stride + (x - columns.start) as usize;
+        let rows = (0..BLOCK as usize).map(|row| &self.depth[first + row * self.stride..][..BLOCK as usize]);
+        self.far[far] = rows.flatten().fold(f32::INFINITY, |least, &depth| if depth < least { depth } else { least });
+    }
+}
+
 impl<D: Depth> Tile<D> {
-    /// Draws one polygon with holes as the z-buffer does.
+    /// Draws one polygon with holes, whose depth is no matter of lanes, as the z-buffer does.
     pub(super) fn draw_cut_out(&mut self, list: &DrawList, shape: &Shape, spans: &mut Spans) {
         self.counts.spans += 1;
         let polygon = list.polygon(shape.polygon as usize);
-        let first = list.varying.light_count();
-        let planes = polygon.varying_planes().get(first..).unwrap_or_default();
         let rows = self.area.rows.clone();
-        match *planes {
-            [ref u, ref v] if applies(list) && [&shape.depth, u, v].iter().all(|plane| plane.fits_single()) => {
-                spans.of(polygon.vertices(), list.grid, rows, |row, columns| {
-                    self.draw_cut_out_run(list, (&polygon, shape), [u, v], (row, columns));
-                });
-            }
-            _ => spans.of(polygon.vertices(), list.grid, rows, |row, columns| {
-                for column in columns {
-                    let (index, depth) = (self.index(column, row), polygon.depth(column, row));
-                    // Strictly nearer: of two polygons at the same depth, the first in the list keeps the sample.
-                    if depth > self.depth[index].widened() && list.shader.is_there(&polygon, column, row) {
-                        self.keep_sample(index, depth, shape);
-                    }
-                }
-            }),
-        }
-    }
-
-    /// The same for a run of samples, with planes made ready once a block.
-    fn draw_cut_out_run(
-        &mut self,
-        list: &DrawList,
-        (polygon, shape): (&ScreenPolygon<'_>, &Shape),
-        places: [&Plane; 2],
-        (row, columns): (i32, Range<i32>),
-    ) {
-        let first = list.varying.light_count();
-        let mut start = columns.start;
-        while start < columns.end {
-            let block = block_of((start, row));
-            let end = (block.0 + BLOCK).min(columns.end);
-            let depth_channel = Channel::new(&shape.depth, false, block);
-            let [u, v] = [0, 1].map(|n| Channel::new(places[n], polygon.is_over_w(first + n, places[n]), block));
-            for column in start..end {
-                let at = [(column - block.0) as f32, (row - block.1) as f32];
-                let inverse_w = depth_channel.value(at, 1.0);
-                let (index, depth) = (self.index(column, row), f64::from(inverse_w));
-                if depth > self.depth[index].widened() {
-                    let place = [u, v].map(|channel| f64::from(channel.value(at, inverse_w)));
-                    if list.shader.is_there_at(polygon, (column, row), depth, place) {
-                        self.keep_sample(index, depth, shape);
+        spans.of(polygon.vertices(), list.grid, rows, |row, columns| {
+            for column in columns {
+                let (index, depth) = (self.index(column, row), polygon.depth(column, row));
+                // Strictly nearer: of two polygons at the same depth, the first in the list keeps the sample.
+                if depth > self.depth[index].widened() && list.shader.is_there(&polygon, column, row) {
+                    if shape.transparent {
+                        self.veils.push(Veil { index: index as u32, polygon: shape.polygon, depth });
+                    } else {
+                        self.depth[index] = D::of(depth);
+                        self.owner[index] = shape.polygon;
                     }
                 }
             }
-            start = end;
-        }
+        });
     }
 
-    fn keep_sample(&mut self, index: usize, depth: f64, shape: &Shape) {
-        if shape.transparent {
-            self.veils.push(Veil { index: index as u32, polygon: shape.polygon, depth });
-        } else {
-            self.depth[index] = D::of(depth);
-            self.owner[index] = shape.polygon;
+    /// Multiplies the light of every sample by the picture of its polygon; depths are 1/w.
+    pub(super) fn wear_pictures(&mut self, list: &DrawList) {
+        if !list.has_texture() {
+            return;
         }
-    }
-
-    /// Finds the light of every sample of a list with pictures; `false`, and nothing done, where nothing can be made ready.
-    pub(super) fn shade_textured(&mut self, list: &DrawList, background: Rgb<f32>) -> bool {
-        if !list.has_texture() || !applies(list) {
-            return false;
-        }
-        for (channel, value) in self.light.iter_mut().zip(background.to_array()) {
-            channel.fill(value);
-        }
-        let mut ready = Ready::nothing();
-        for y in self.area.rows.clone() {
-            for x in self.area.columns.clone() {
-                let index = self.index(x, y);
-                let polygon = self.owner[index];
-                if polygon != NOBODY {
-                    if ready.polygon != polygon || ready.block != block_of((x, y)) {
-                        ready = Ready::new(list, polygon, (x, y));
-                    }
-                    let light = ready.light(list, (x, y), self.depth[index].widened() as f32);
-                    self.set_light(index, light);
-                    self.counts.puts += 1;
+        let (columns, rows) = (self.area.columns.clone(), self.area.rows.clone());
+        let mut left = columns.start;
+        while left < columns.end {
+            let right = (block_of((left, 0)).0 + BLOCK).min(columns.end);
+            let mut slot = None;
+            for y in rows.clone() {
+                for x in left..right {
+                    self.wear_picture(list, &mut slot, (x, y));
                 }
             }
+            left = right;
         }
-        true
+    }
+
+    #[inline]
+    fn wear_picture<'a>(&mut self, list: &'a DrawList, slot: &mut Option<Place<'a>>, (x, y): (i32, i32)) {
+        let index = self.index(x, y);
+        if self.owner[index] == NOBODY {
+            return;
+        }
+        let place = Place::kept(slot, list, self.owner[index], (x, y));
+        if let Some(texture) = place.texture {
+            let inverse_w = self.depth[index].widened();
+            let uv = place.uv((x, y), inverse_w as f32);
+            let texel = list.shader.texel(&place.polygon, texture, inverse_w, uv);
+            self.set_light(index, self.light(index) * texel);
+        }
     }
 }
 
-/// What the values of one polygon in one block need.
-struct Ready {
-    polygon: u32,
-    block: (i32, i32),
-    /// Planes do not fit `f32`: the shader's own way.
-    by_shader: bool,
-    count: usize,
-    channels: [Channel; Values::MAX],
-}
-
-impl Ready {
-    fn nothing() -> Ready {
-        let channels = [Channel::default(); Values::MAX];
-        Ready { polygon: NOBODY, block: (0, 0), by_shader: true, count: 0, channels }
+/// The same for fragments; depths are 1/w.
+pub(super) fn wear_on_fragments(list: &DrawList, fragments: &mut [Fragment]) {
+    if !list.has_texture() {
+        return;
     }
-
-    fn new(list: &DrawList, polygon: u32, sample: (i32, i32)) -> Ready {
-        let view = list.polygon(polygon as usize);
-        let (planes, block) = (view.varying_planes(), block_of(sample));
-        let by_shader = !planes.iter().all(Plane::fits_single);
-        let mut ready = Ready { polygon, block, by_shader, count: planes.len(), ..Ready::nothing() };
-        for (number, (channel, plane)) in ready.channels.iter_mut().zip(planes).enumerate() {
-            *channel = Channel::new(plane, view.is_over_w(number, plane), block);
+    for fragment in fragments {
+        let sample = (fragment.x, fragment.y);
+        let place = Place::new(list, fragment.polygon, sample);
+        if let Some(texture) = place.texture {
+            let uv = place.uv(sample, fragment.depth as f32);
+            fragment.color = fragment.color * list.shader.texel(&place.polygon, texture, fragment.depth, uv);
         }
-        ready
-    }
-
-    /// The light of sample (x, y), where 1/w is `inverse_w`.
-    fn light(&self, list: &DrawList, (x, y): (i32, i32), inverse_w: f32) -> Rgb<f32> {
-        let view = list.polygon(self.polygon as usize);
-        if self.by_shader {
-            return list.shader.fragment(&view, x, y).color;
-        }
-        let at = [(x - self.block.0) as f32, (y - self.block.1) as f32];
-        let mut values = [0.0; Values::MAX];
-        for (value, channel) in values.iter_mut().zip(&self.channels[..self.count]) {
-            *value = f64::from(channel.value(at, inverse_w));
-        }
-        list.shader.fragment_from(&view, (x, y), f64::from(inverse_w), &values[..self.count]).color
     }
 }

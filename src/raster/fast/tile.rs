@@ -67,6 +67,8 @@ pub(super) struct Tile<D> {
     pub owner: Vec<u32>,
     /// Per block, a bound: no sample of it is farther.
     far: Vec<f32>,
+    /// Per block, how many samples of surfaces with holes were kept since that was found.
+    stale: Vec<u16>,
     /// Transparent fragments, as they came.
     pub veils: Vec<Veil>,
     /// Those of them that are blended.
@@ -121,6 +123,7 @@ impl<D: Depth> Tile<D> {
             depth,
             owner,
             far: Vec::new(),
+            stale: Vec::new(),
             veils: Vec::new(),
             layers,
             runs: Vec::new(),
@@ -142,6 +145,8 @@ impl<D: Depth> Tile<D> {
         self.owner.resize(samples, NOBODY);
         self.far.clear();
         self.far.resize(blocks_across(stride) * blocks_across(area.rows.len()), 0.0);
+        self.stale.clear();
+        self.stale.resize(self.far.len(), 0);
         self.veils.clear();
         self.layers.clear();
         (self.area, self.stride) = (area, stride);
@@ -162,7 +167,7 @@ impl<D: Depth> Tile<D> {
             while !entries.is_empty() {
                 let other = entries.iter().position(|entry| entry.kind() == Kind::Other).unwrap_or(entries.len());
                 let (by_edges, rest) = entries.split_at(other);
-                self.draw_edges(segment, by_edges, level);
+                self.draw_edges(list, segment, by_edges, level);
                 entries = rest;
                 if let Some((entry, after)) = rest.split_first() {
                     let shape = &segment.shapes[entry.index()];
@@ -178,9 +183,9 @@ impl<D: Depth> Tile<D> {
         self.spans = spans;
     }
 
-    fn draw_edges(&mut self, segment: &Segment, entries: &[Entry], level: Level) {
+    fn draw_edges(&mut self, list: &DrawList, segment: &Segment, entries: &[Entry], level: Level) {
         self.counts.edges += entries.len() as u64;
-        if let Some(samples) = self.samples() {
+        if let Some(samples) = self.samples(list) {
             cover::draw(level, samples, segment, entries);
         }
     }
@@ -194,17 +199,18 @@ impl<D: Depth> Tile<D> {
         spans.of(polygon.vertices(), list.grid, self.area.rows.clone(), |row, columns| {
             runs.push((row, columns.start, columns.end));
         });
-        if let Some(samples) = self.samples() {
+        if let Some(samples) = self.samples(list) {
             cover::draw_runs(level, samples, shape, &runs);
         }
         self.runs = runs;
     }
 
     /// The samples, if their depths are `f32`.
-    fn samples(&mut self) -> Option<Samples<'_>> {
+    fn samples<'a>(&'a mut self, list: &'a DrawList) -> Option<Samples<'a>> {
         let depth = D::singles(&mut self.depth)?;
-        let (area, stride, owner, shortcuts) = (&self.area, self.stride, &mut self.owner, self.shortcuts);
-        Some(Samples { area, stride, depth, owner, far: &mut self.far, veils: &mut self.veils, shortcuts })
+        let (area, stride, shortcuts) = (&self.area, self.stride, self.shortcuts);
+        let (owner, far, stale, veils) = (&mut self.owner, &mut self.far, &mut self.stale, &mut self.veils);
+        Some(Samples { area, stride, depth, owner, far, stale, veils, shortcuts, list })
     }
 
     /// Draws one polygon as the z-buffer does.

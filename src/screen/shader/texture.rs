@@ -181,12 +181,29 @@ impl Shader {
         if !is_shown(texture, polygon, sample) {
             return Seen::Hole;
         }
-        let (pyramid, place, level) = texture.look(self.textures.filter, uv, || polygon.texture_slopes(inverse_w, uv));
-        let Sample { color, alpha } = pyramid.sample(place, level, self.textures.filter());
+        let Sample { color, alpha } = self.look_up(polygon, texture, inverse_w, uv);
         match texture.threshold {
             Some(threshold) if !self.textures.is_there(alpha, threshold, sample, || turn_of(polygon)) => Seen::Hole,
             _ => Seen::Color(color),
         }
+    }
+
+    /// What light is multiplied by at a sample that is there, where 1/w and u, v are these.
+    #[inline]
+    pub(crate) fn texel(
+        &self,
+        polygon: &ScreenPolygon<'_>,
+        texture: &TextureShading,
+        inverse_w: f64,
+        uv: [f64; 2],
+    ) -> Rgb<f32> {
+        self.look_up(polygon, texture, inverse_w, uv).color
+    }
+
+    #[inline]
+    fn look_up(&self, polygon: &ScreenPolygon<'_>, texture: &TextureShading, inverse_w: f64, uv: [f64; 2]) -> Sample {
+        let (pyramid, place, level) = texture.look(self.textures.filter, uv, || polygon.texture_slopes(inverse_w, uv));
+        pyramid.sample(place, level, self.textures.filter())
     }
 }
 

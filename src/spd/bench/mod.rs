@@ -3,12 +3,14 @@
 //! name -BENCH-> Triangles -> Scene (`bench:flake:10k`) or `.ftri`
 //!
 //! `flake` has many small triangles: the sphereflake of [`super::balls`], every sphere cut up. `fill_b2f` and `fill_f2b` have few
-//! that fill the picture four times over, far to near and near to far: one costs vertices, the other samples.
+//! that fill the picture four times over, far to near and near to far: one costs vertices, the other samples. `forest` has pictures with
+//! holes, many of them behind each other.
 //!
 //! World space, right-handed. Deterministic: the same bytes everywhere.
 
 mod fill;
 mod flake;
+mod forest;
 mod lens;
 
 use crate::scene::Triangles;
@@ -45,6 +47,12 @@ pub const BENCH_SCENES: &[BenchScene] = &[
         sizes: &[],
         summary: "the same layers near to far: three of four are hidden when they come",
         make: |_| fill::make(fill::Order::NearToFar),
+    },
+    BenchScene {
+        name: "forest",
+        sizes: &forest::SIZES,
+        summary: "1k to 125k trees, each two crossed pictures with holes, on hills: overdraw and alpha",
+        make: forest::make,
     },
 ];
 
@@ -125,6 +133,14 @@ mod tests {
             assert_eq!(made.len() as u64, *triangles, "{size}");
             assert!(made.indices.iter().all(|&index| (index as usize) < made.positions.len()));
         }
+        for (size, triangles) in &forest::SIZES[..2] {
+            let made = super::triangles(&format!("forest:{size}")).expect("a listed size");
+            assert_eq!(made.len() as u64, *triangles, "{size}");
+            assert!(made.indices.iter().all(|&index| (index as usize) < made.positions.len()));
+            let (width, height) = made.texture_size;
+            assert_eq!(made.texels.len(), 4 * (width * height) as usize);
+            assert_eq!(made.ranges.iter().map(|range| range.count as usize).sum::<usize>(), made.indices.len());
+        }
         assert_eq!(super::triangles("fill_b2f").map(|made| made.len()), Ok(32));
     }
 
@@ -139,7 +155,7 @@ mod tests {
     #[test]
     fn what_is_not_there_is_told() {
         let message = |name: &str| triangles(name).expect_err(name).to_string();
-        assert_eq!(message("flak"), "there is no bench scene `flak`; there is flake, fill_b2f, fill_f2b");
+        assert_eq!(message("flak"), "there is no bench scene `flak`; there is flake, fill_b2f, fill_f2b, forest");
         assert!(message("flake:2").contains("10k, 1k, 100k, 1m, 10m"));
         assert!(message("fill_b2f:2").contains("write bench:fill_b2f"));
     }

@@ -1,0 +1,61 @@
+//! The scene of one frame: the composer's, or with silhouettes in place of pictures.
+
+use super::options::{Forest, TreesName};
+use crate::cli::error::CliError;
+use crate::forest::cells::Cells;
+use crate::forest::frame::{self, FrameCounts, Trees};
+use crate::forest::pictures::Pictures;
+use crate::forest::silhouette::without_pictures;
+use crate::scene::{Camera, Scene};
+use std::path::Path;
+
+/// Makes the scene of a frame.
+pub(super) struct Composer<'a> {
+    composer: frame::Composer<'a>,
+    /// The scene without pictures, where that is asked for.
+    flat: Option<Scene>,
+}
+
+/// What is composed.
+#[derive(Clone, Copy)]
+pub(super) struct Wanted<'a> {
+    pub cells: &'a Cells,
+    /// Where pictures are that the area names.
+    pub folder: &'a Path,
+    pub options: &'a Forest,
+    pub year: Option<i32>,
+    pub silhouettes: bool,
+}
+
+impl<'a> Composer<'a> {
+    pub fn new(wanted: &Wanted<'a>) -> Result<Composer<'a>, CliError> {
+        let pictures = Pictures::new(wanted.cells.head(), wanted.folder).map_err(CliError::failed)?;
+        let choices = choices(wanted.options, wanted.year);
+        let composer = frame::Composer::new(wanted.cells, pictures, choices).map_err(CliError::failed)?;
+        Ok(Composer { composer, flat: wanted.silhouettes.then(Scene::default) })
+    }
+
+    /// The scene that `camera` sees.
+    pub fn compose(&mut self, camera: &Camera) -> Result<(&Scene, FrameCounts), CliError> {
+        let (scene, counts) = self.composer.compose(camera, camera.resolution).map_err(CliError::failed)?;
+        match &mut self.flat {
+            None => Ok((scene, counts)),
+            Some(flat) => {
+                *flat = without_pictures(scene);
+                Ok((flat, counts))
+            }
+        }
+    }
+}
+
+/// The choices that options make.
+fn choices(options: &Forest, year: Option<i32>) -> frame::Choices {
+    let trees = match options.trees {
+        TreesName::Auto | TreesName::Silhouettes => Trees::Auto,
+        TreesName::Crossed => Trees::Crossed,
+        TreesName::Billboards => Trees::Billboards,
+        TreesName::None => Trees::None,
+    };
+    let Forest { horizon, tolerance, .. } = *options;
+    frame::Choices { year, horizon, tolerance, trees, ..frame::Choices::default() }
+}
