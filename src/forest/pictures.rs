@@ -102,7 +102,8 @@ impl Painted {
     /// Measures a picture.
     #[must_use]
     pub fn new(texels: Texels) -> Painted {
-        let light: Vec<f64> = (0..256).map(|level| Encoding::Srgb.decode(Rgb::gray(f64::from(level) / 255.0)).r).collect();
+        let light: Vec<f64> =
+            (0..256).map(|level| Encoding::Srgb.decode(Rgb::gray(f64::from(level) / 255.0)).r).collect();
         let (mut sum, mut count) = ([0.0; 3], 0_usize);
         for texel in texels.rgba().iter().filter(|texel| texel[3] > 127) {
             (0..3).for_each(|channel| sum[channel] += light[usize::from(texel[channel])]);

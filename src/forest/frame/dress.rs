@@ -57,10 +57,8 @@ impl Dress {
     fn add(&mut self, name: &str, picture: &Painted, threshold: f64) {
         self.colors.push(picture.color);
         self.shares.push(picture.share);
-        let whole = Texture {
-            texels: picture.texels.clone(),
-            ..Texture::cut_out(name, one_texel(picture.color), threshold)
-        };
+        let whole =
+            Texture { texels: picture.texels.clone(), ..Texture::cut_out(name, one_texel(picture.color), threshold) };
         let plain = Texture::opaque(name, one_texel(picture.color));
         self.textures.push(whole.clone());
         self.textures.extend((1..16).map(|share| whole.clone().faded(0, share)));
@@ -129,7 +127,8 @@ mod tests {
 
     #[test]
     fn every_key_has_the_texture_of_its_samples() {
-        let species = |code: &str| Species { code: code.into(), form: Form::Shrub, images: vec![], place: Place::default() };
+        let species =
+            |code: &str| Species { code: code.into(), form: Form::Shrub, images: vec![], place: Place::default() };
         let head = Head { side: 240.0, species: vec![species("A"), species("B")], ..Head::default() };
         let pictures = Pictures::new(&head, Path::new(".")).expect("painted");
         let dress = Dress::new(&head, &pictures, 0.5);

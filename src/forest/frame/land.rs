@@ -36,7 +36,14 @@ pub(super) struct Lists {
 
 impl Lander<'_> {
     /// Adds all faces; pictures of grounds are added to `textures`.
-    pub fn add(&self, faces: &Faces, lists: &mut Lists, sink: &mut Sink, textures: &mut Vec<Texture>, counts: &mut FrameCounts) {
+    pub fn add(
+        &self,
+        faces: &Faces,
+        lists: &mut Lists,
+        sink: &mut Sink,
+        textures: &mut Vec<Texture>,
+        counts: &mut FrameCounts,
+    ) {
         counts.terrain_polygons += faces.faces.len() as u64;
         lists.local.resize(lists.local.len().max(faces.corners.len()), 0);
         let mut order = std::mem::take(&mut lists.order);

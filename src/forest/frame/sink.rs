@@ -61,13 +61,8 @@ impl Sink {
 
     /// A new surface behind all others.
     pub fn surface(&mut self, material: Material, two_sided: bool) -> &mut Mesh {
-        let empty = || Surface {
-            material,
-            mesh: Mesh::default(),
-            primitives: Vec::new(),
-            two_sided,
-            place: Place::default(),
-        };
+        let empty =
+            || Surface { material, mesh: Mesh::default(), primitives: Vec::new(), two_sided, place: Place::default() };
         let mut surface = self.spare.pop().unwrap_or_else(empty);
         (surface.material, surface.two_sided) = (material, two_sided);
         let at = self.surfaces.len();
@@ -96,8 +91,7 @@ pub(super) struct Quad {
 }
 
 /// The corners of pictures, counterclockwise from the lower left.
-pub(super) const UPRIGHT: [Vec3; 4] =
-    [Vec3::ZERO, Vec3::X, Vec3::new(1.0, 1.0, 0.0), Vec3::Y];
+pub(super) const UPRIGHT: [Vec3; 4] = [Vec3::ZERO, Vec3::X, Vec3::new(1.0, 1.0, 0.0), Vec3::Y];
 /// The upper half alone: of a tree seen from above there are leaves and no stem.
 pub(super) const CROWN: [Vec3; 4] =
     [Vec3::new(0.0, 0.4, 0.0), Vec3::new(1.0, 0.4, 0.0), Vec3::new(1.0, 0.9, 0.0), Vec3::new(0.0, 0.9, 0.0)];
@@ -127,7 +121,12 @@ pub(super) fn add_triangle(mesh: &mut Mesh, corners: [Vec3; 3], is_worn: bool, n
 
 /// Adds a corner of the ground.
 #[inline]
-pub(super) fn add_corner(mesh: &mut Mesh, (position, normal): (Vec3, Vec3), color: Option<Rgb>, place: Option<Vec3>) -> u32 {
+pub(super) fn add_corner(
+    mesh: &mut Mesh,
+    (position, normal): (Vec3, Vec3),
+    color: Option<Rgb>,
+    place: Option<Vec3>,
+) -> u32 {
     mesh.vertices.push(position);
     mesh.normals.push(normal);
     mesh.colors.extend(color);

@@ -185,7 +185,8 @@ mod tests {
                         let t = f64::from(step) / 2000.0;
                         let at = [eye.x + (point[0] - eye.x) * t, eye.y + (point[1] - eye.y) * t];
                         let z = eye.z + (highest - eye.z) * t;
-                        z < lowest && (0..2).all(|a| (square.corner[a]..=square.corner[a] + square.side).contains(&at[a]))
+                        z < lowest
+                            && (0..2).all(|a| (square.corner[a]..=square.corner[a] + square.side).contains(&at[a]))
                     })
                 };
                 assert!(squares.iter().any(meets), "{point:?} shows");

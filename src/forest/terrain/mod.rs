@@ -16,8 +16,6 @@
 pub mod horizon;
 pub mod relief;
 mod survey;
-#[cfg(test)]
-pub(super) mod tests;
 
 pub use survey::TerrainError;
 
@@ -183,7 +181,8 @@ fn height_on_mesh(vertices: &[Vec3], triangles: &[([u32; 3], Option<u8>)], [x, y
     let mut highest = f64::NAN;
     for (corners, _) in triangles {
         let [Some(a), Some(b), Some(c)] = corners.map(|corner| vertices.get(corner as usize)) else { continue };
-        let area = |p: [f64; 2], q: [f64; 2], r: [f64; 2]| (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+        let area =
+            |p: [f64; 2], q: [f64; 2], r: [f64; 2]| (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
         let [p, q, r] = [a, b, c].map(|corner| [corner.x, corner.y]);
         let weights = [area(q, r, [x, y]), area(r, p, [x, y]), area(p, q, [x, y])];
         let sum = weights[0] + weights[1] + weights[2];

@@ -113,7 +113,8 @@ impl<'a> Survey<'a> {
             outline.ground = [outline.ground[0].min(height), outline.ground[1].max(height)];
             // A sample on the middle belongs to both halves.
             let (west, east, upper, lower) = (2 * i <= n, 2 * i >= n, 2 * j <= n, 2 * j >= n);
-            for (quarter, is_in) in [lower && west, lower && east, upper && west, upper && east].into_iter().enumerate() {
+            for (quarter, is_in) in [lower && west, lower && east, upper && west, upper && east].into_iter().enumerate()
+            {
                 if is_in {
                     outline.quarters[quarter] = outline.quarters[quarter].min(height);
                 }
@@ -133,7 +134,8 @@ impl<'a> Survey<'a> {
     fn color(&mut self, cell: &Cell, year: Option<i32>, pictures: &Pictures, (first, north): (usize, usize)) {
         let (n, columns) = (self.squares, self.size[0] * self.squares + 1);
         let land = Land::new(cell, self.head.side);
-        let looks: Vec<Rgb> = cell.patches.iter().map(|patch| look(self.head, cell, year, pictures, patch.owner)).collect();
+        let looks: Vec<Rgb> =
+            cell.patches.iter().map(|patch| look(self.head, cell, year, pictures, patch.owner)).collect();
         let plain = ground_color(pictures, cell.cover);
         for (i, j) in (0..=n).flat_map(|j| (0..=n).map(move |i| (i, j))) {
             let at = [(i.min(n - 1) as f64 + 0.5) / n as f64, 1.0 - (j.min(n - 1) as f64 + 0.5) / n as f64];
@@ -158,7 +160,8 @@ impl<'a> Survey<'a> {
         let (lattice, bounds) = (hierarchy.lattice, hierarchy.into_bounds());
         let Survey { corner, size, squares, colors, outlines, .. } = self;
         let side = self.head.side;
-        let mut terrain = Terrain { side, corner, size, squares, grid, lattice, bounds, radii, outlines, colors, filled };
+        let mut terrain =
+            Terrain { side, corner, size, squares, grid, lattice, bounds, radii, outlines, colors, filled };
         terrain.cut_at_voids();
         Some(terrain)
     }
@@ -185,7 +188,8 @@ impl Terrain {
         let mut bounds = std::mem::replace(&mut self.bounds, Field::new(&Lattice { side: 1, east: 0, south: 0 }, 0.0));
         let sums = self.sums();
         lattice.from_the_smallest(|middle| {
-            let own = lattice.triangles(middle).any(|triangle| self.is_mixed(&sums, [triangle.a, triangle.b, triangle.apex]));
+            let own =
+                lattice.triangles(middle).any(|triangle| self.is_mixed(&sums, [triangle.a, triangle.b, triangle.apex]));
             let below = lattice.children(middle).any(|child| bounds.at(child) == f32::INFINITY);
             if own || below {
                 bounds.set(middle, f32::INFINITY);
@@ -242,7 +246,9 @@ fn sample(cell: &Cell, side: f64, (i, j): (usize, usize), n: usize) -> f64 {
     };
     let [x, y] = [0, 1].map(|axis| share[axis] * f64::from(size[axis].max(2) - 1));
     let [column, row] = [x, y].map(|place| place as usize);
-    let along = |row: usize| mixed(x - column as f64, || cell.ground.sample(column, row), || cell.ground.sample(column + 1, row));
+    let along = |row: usize| {
+        mixed(x - column as f64, || cell.ground.sample(column, row), || cell.ground.sample(column + 1, row))
+    };
     mixed(y - row as f64, || along(row), || along(row + 1))
 }
 

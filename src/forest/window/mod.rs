@@ -144,7 +144,9 @@ mod tests {
                     touched |= cell == i32::from(buffer);
                 }
                 // No farther than needed: it moved only if the observer left the free cells.
-                assert!((0..2).all(|axis| moved[axis] == 0 || (at[axis] - window.center[axis]).abs() == i32::from(buffer)));
+                assert!(
+                    (0..2).all(|axis| moved[axis] == 0 || (at[axis] - window.center[axis]).abs() == i32::from(buffer))
+                );
             }
             assert!(touched);
         }

@@ -64,7 +64,13 @@ pub struct Grove<'a> {
 }
 
 impl Stocked {
-    fn new(cells: &Cells, cell: Cell, year: Option<i32>, terrain: &Terrain, pictures: &Pictures) -> Result<Stocked, StockError> {
+    fn new(
+        cells: &Cells,
+        cell: Cell,
+        year: Option<i32>,
+        terrain: &Terrain,
+        pictures: &Pictures,
+    ) -> Result<Stocked, StockError> {
         let head = cells.head();
         let trees = grow(head, &cell, year, Placement::Lattice, &|at| terrain.height(&cell, at))?;
         let base = base_of(&cell);
@@ -126,7 +132,9 @@ fn ground(head: &Head, cell: &Cell, year: Option<i32>, pictures: &Pictures) -> T
     let road = pictures.road() as u8;
     for line in &cell.lines {
         let number = if line.kind == "river" { last } else { road };
-        line.points.windows(2).for_each(|ends| paint(&mut numbers, head.side, [ends[0], ends[1]], line.width / 2.0, number));
+        line.points
+            .windows(2)
+            .for_each(|ends| paint(&mut numbers, head.side, [ends[0], ends[1]], line.width / 2.0, number));
     }
     numbers.iter_mut().for_each(|number| *number = (*number).min(last));
     let repeat = |number: usize| {
@@ -142,7 +150,10 @@ fn ground(head: &Head, cell: &Cell, year: Option<i32>, pictures: &Pictures) -> T
     match Mosaic::new(size, numbers, FirstRow::AtV0, tiles) {
         Some(mosaic) => Texture::mosaic("ground", mosaic),
         // A tile of no metres; parsers refuse it.
-        None => Texture { wrap: crate::image::textures::Wrap::Repeat, ..Texture::opaque("ground", (*pictures.grounds[0].texels).clone()) },
+        None => Texture {
+            wrap: crate::image::textures::Wrap::Repeat,
+            ..Texture::opaque("ground", (*pictures.grounds[0].texels).clone())
+        },
     }
 }
 
@@ -194,7 +205,13 @@ impl Stock {
     ///
     /// # Errors
     /// A cell cannot be read, or has too many trees.
-    pub fn follow(&mut self, cells: &Cells, terrain: &Terrain, pictures: &Pictures, eye: Vec3) -> Result<usize, StockError> {
+    pub fn follow(
+        &mut self,
+        cells: &Cells,
+        terrain: &Terrain,
+        pictures: &Pictures,
+        eye: Vec3,
+    ) -> Result<usize, StockError> {
         let side = cells.head().side;
         let at = cells.head().cell_at([eye.x, eye.y]);
         if self.window.follow(at) != [0, 0] {
