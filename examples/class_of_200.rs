@@ -45,7 +45,11 @@ fn main() {
         }
     }
     wrong.dedup();
-    println!("\n{count} submissions of {} kinds, {jobs} at a time: {seconds:.0} s, exit code {:?}", kinds.len(), status.code());
+    println!(
+        "\n{count} submissions of {} kinds, {jobs} at a time: {seconds:.0} s, exit code {:?}",
+        kinds.len(),
+        status.code()
+    );
     println!("peak memory of the grader, of its largest child: {}", memory());
     println!("layers: {}", class["sandbox"]);
     println!("grades that are not as expected: {}", wrong.len());

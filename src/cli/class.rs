@@ -56,7 +56,10 @@ impl ClassOptions {
         let rubric = read_rubric(rubric, lab)?;
         let submissions = roster(&folder).map_err(CliError::failed)?;
         if submissions.is_empty() {
-            return Err(CliError::failed(format!("{} holds no submissions: a folder or a file for each is expected", folder.display())));
+            return Err(CliError::failed(format!(
+                "{} holds no submissions: a folder or a file for each is expected",
+                folder.display()
+            )));
         }
         let sandbox = Sandbox::new(self.as_root, self.unsafe_no_sandbox).map_err(CliError::failed)?;
         let sandbox = match self.time {

@@ -97,8 +97,13 @@ pub fn ordinary() -> Vec<Kind> {
         one("farther", Worth::Some(""), "my_zbuffer.rs", farther),
         one("misspelled", Worth::None("does not compile"), "my_zbuffer.rs", RUST.replace("fold(", "folded(")),
         one("typo", Worth::None("exit-code"), "zbuffer.py", PYTHON.replace("def draw", "deff draw")),
-        one("panics", Worth::None("exit-code"), "my_zbuffer.rs", rust("let none: Vec<i32> = Vec::new(); let _ = none[x_of(polygon)];")
-            + "\nfn x_of(polygon: &ScreenPolygon<'_>) -> usize { polygon.vertices().len() }\n"),
+        one(
+            "panics",
+            Worth::None("exit-code"),
+            "my_zbuffer.rs",
+            rust("let none: Vec<i32> = Vec::new(); let _ = none[x_of(polygon)];")
+                + "\nfn x_of(polygon: &ScreenPolygon<'_>) -> usize { polygon.vertices().len() }\n",
+        ),
         one("empty", Worth::None("nothing to run"), "notes.txt", "I was ill.".to_string()),
         one("new\nline", Worth::All, "zbuf\nfer.py", PYTHON.to_string()),
     ]
@@ -120,32 +125,82 @@ pub fn unruly(places: &Places) -> Vec<Kind> {
     vec![
         one("hangs", Worth::None("time-out"), "zbuffer.py", "while True: pass\n".to_string()),
         one("hangs_rust", Worth::None("time-out"), "my_zbuffer.rs", rust("loop { std::hint::spin_loop(); }")),
-        one("sleeps", Worth::None("time-out"), "zbuffer.c", "#include <unistd.h>\nint main() { for (;;) pause(); }".to_string()),
+        one(
+            "sleeps",
+            Worth::None("time-out"),
+            "zbuffer.c",
+            "#include <unistd.h>\nint main() { for (;;) pause(); }".to_string(),
+        ),
         one("crashes", Worth::None("crash"), "zbuffer.c", "int main() { *(volatile int *)8 = 1; }".to_string()),
-        one("floods_stdout", Worth::None("too-much-output"), "zbuffer.py", "import sys\nwhile True: sys.stdout.write('x' * 65536)\n".to_string()),
+        one(
+            "floods_stdout",
+            Worth::None("too-much-output"),
+            "zbuffer.py",
+            "import sys\nwhile True: sys.stdout.write('x' * 65536)\n".to_string(),
+        ),
         one("floods_stderr", Worth::All, "zbuffer.py", python("for _ in range(64): sys.stderr.write('x' * 65536)")),
-        one("floods_memory", Worth::None("memory"), "zbuffer.py", "kept = []\nwhile True: kept.append(bytearray(1 << 24))\n".to_string()),
-        one("floods_disk", Worth::All, "zbuffer.py", python(&format!(
-            "for place in ['.', '/tmp', '/dev/shm', '/var/tmp', {loot:?}]:\n    try:\n        with open(place + '/big', 'wb') as out:\n            \
+        one(
+            "floods_memory",
+            Worth::None("memory"),
+            "zbuffer.py",
+            "kept = []\nwhile True: kept.append(bytearray(1 << 24))\n".to_string(),
+        ),
+        one(
+            "floods_disk",
+            Worth::All,
+            "zbuffer.py",
+            python(&format!(
+                "for place in ['.', '/tmp', '/dev/shm', '/var/tmp', {loot:?}]:\n    try:\n        with open(place + '/big', 'wb') as out:\n            \
              for _ in range(4096): out.write(b'x' * (1 << 20))\n    except OSError: pass"
-        ))),
+            )),
+        ),
         one("forks", Worth::All, "zbuffer.py", python("while True: os.fork()")),
-        one("daemon", Worth::All, "zbuffer.py", python(&format!(
-            "if os.fork() == 0:\n    os.setsid()\n    import time\n    while True: time.sleep(0.1); open('{loot}/daemon', 'a').write('x')"
-        ))),
-        one("starts_rust", Worth::All, "my_zbuffer.rs", rust("let _ = std::process::Command::new(\"/bin/sleep\").arg(\"1000\").spawn();")),
+        one(
+            "daemon",
+            Worth::All,
+            "zbuffer.py",
+            python(&format!(
+                "if os.fork() == 0:\n    os.setsid()\n    import time\n    while True: time.sleep(0.1); open('{loot}/daemon', 'a').write('x')"
+            )),
+        ),
+        one(
+            "starts_rust",
+            Worth::All,
+            "my_zbuffer.rs",
+            rust("let _ = std::process::Command::new(\"/bin/sleep\").arg(\"1000\").spawn();"),
+        ),
         one("forges", Worth::None("bad-picture"), "zbuffer.py", forge),
         one("prints_report", Worth::All, "my_zbuffer.rs", rust("println!(\"{{\\\"score\\\": 125}}\");")),
-        one("leaves_early", Worth::None("no-output"), "my_zbuffer.rs", rust("if polygon.vertices().len() < 99 { std::process::exit(0) }")),
+        one(
+            "leaves_early",
+            Worth::None("no-output"),
+            "my_zbuffer.rs",
+            rust("if polygon.vertices().len() < 99 { std::process::exit(0) }"),
+        ),
         one("reads_secret", Worth::None("exit-code"), "zbuffer.py", read(&secret)),
         one("reads_neighbor", Worth::None("exit-code"), "zbuffer.py", read(&neighbor)),
-        one("socket", Worth::All, "zbuffer.py", python(&format!(
-            "import socket\nsocket.socket(socket.AF_UNIX).bind('{loot}/socket')\nsocket.create_connection(('127.0.0.1', 22))"
-        ))),
+        one(
+            "socket",
+            Worth::All,
+            "zbuffer.py",
+            python(&format!(
+                "import socket\nsocket.socket(socket.AF_UNIX).bind('{loot}/socket')\nsocket.create_connection(('127.0.0.1', 22))"
+            )),
+        ),
         one("kills_parent", Worth::All, "zbuffer.py", python("os.kill(os.getppid(), 9)\nos.kill(-1, 9)")),
-        one("includes", Worth::None("does not compile"), "my_zbuffer.rs", format!("const S: &str = include_str!({secret:?});\n{RUST}")),
+        one(
+            "includes",
+            Worth::None("does not compile"),
+            "my_zbuffer.rs",
+            format!("const S: &str = include_str!({secret:?});\n{RUST}"),
+        ),
         one("includes_c", Worth::None("does not compile"), "zbuffer.c", format!("#include {secret:?}\n{C_LIBRARY}")),
-        one("embeds_c", Worth::None("does not compile"), "zbuffer.c", format!("__asm__(\".incbin \\\"{secret}\\\"\");\n{C_LIBRARY}")),
+        one(
+            "embeds_c",
+            Worth::None("does not compile"),
+            "zbuffer.c",
+            format!("__asm__(\".incbin \\\"{secret}\\\"\");\n{C_LIBRARY}"),
+        ),
         Kind {
             name: "build_script",
             worth: Worth::All,

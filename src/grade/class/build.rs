@@ -60,9 +60,11 @@ fn find_rust(library: Option<&Path>) -> Result<Rust, String> {
     let sysroot = asked.ok().filter(|output| output.status.success());
     let sysroot = sysroot.map(|output| String::from_utf8_lossy(&output.stdout).trim().to_string());
     let Some(sysroot) = sysroot.map(PathBuf::from).filter(|sysroot| sysroot.join("bin/rustc").is_file()) else {
-        return Err("Rust submissions need `rustc`, and none can be started\nhelp: install the tool chain that farop was \
+        return Err(
+            "Rust submissions need `rustc`, and none can be started\nhelp: install the tool chain that farop was \
                     built with, and have it in PATH"
-            .to_string());
+                .to_string(),
+        );
     };
     let library = folder.canonicalize().map_err(|error| format!("{}: {error}", folder.display()))?;
     let farop = newest(&library).unwrap_or_else(|| library.join("libfarop.rlib"));
@@ -125,7 +127,8 @@ pub(super) fn build(files: &[String], cell: &Path, class: &Class<'_>) -> Result<
     let (own, lab) = (format!("my_{}.rs", class.lab.name), class.lab.name);
     let is_own = |name: &&String| name.rsplit('/').next() == Some(&own);
     let is_function = class.is_about_function();
-    let rust = ending(".rs").find(is_own)
+    let rust = ending(".rs")
+        .find(is_own)
         .or_else(|| ending(".rs").find(|name| !is_function && rasterizer_in(&text(name), lab).is_some()));
     if let Some(name) = rust {
         return build_rust(name, &text(name), cell, class);
@@ -139,7 +142,8 @@ pub(super) fn build(files: &[String], cell: &Path, class: &Class<'_>) -> Result<
             continue;
         }
         let texts: Vec<String> = sources.iter().map(|name| text(name)).collect();
-        let is_library = texts.iter().any(|text| text.contains("farop_draw")) && !texts.iter().any(|text| has_main(text));
+        let is_library =
+            texts.iter().any(|text| text.contains("farop_draw")) && !texts.iter().any(|text| has_main(text));
         return build_c((&sources, compiler, is_library), cell, class.sandbox);
     }
     if let Some(name) = ending(".py").find(|name| name.contains(lab)).or_else(|| ending(".py").next()) {
@@ -206,7 +210,8 @@ fn build_rust(name: &str, text: &str, cell: &Path, class: &Class<'_>) -> Result<
     let program = cell.join(PROGRAM);
     let deps = format!("dependency={}", rust.library.join("deps").display());
     let farop = format!("farop={}", rust.farop.display());
-    let mut words: Vec<OsString> = vec![rust.sysroot.join("bin/rustc").into(), "--sysroot".into(), rust.sysroot.clone().into()];
+    let mut words: Vec<OsString> =
+        vec![rust.sysroot.join("bin/rustc").into(), "--sysroot".into(), rust.sysroot.clone().into()];
     let options = ["--edition=2024", "--crate-name=graded", "--cap-lints=allow", "--color=never", "-Copt-level=1"];
     words.extend(options.map(OsString::from));
     words.extend(["-Cstrip=debuginfo", "-L", &deps, "--extern", &farop, MAIN, "-o"].map(OsString::from));
@@ -219,7 +224,11 @@ fn build_rust(name: &str, text: &str, cell: &Path, class: &Class<'_>) -> Result<
     Ok(if class.is_about_function() { Built::Function(program) } else { Built::Rust(program) })
 }
 
-fn build_c((sources, compiler, is_library): (&[&String], &str, bool), cell: &Path, sandbox: &Sandbox) -> Result<Built, NotBuilt> {
+fn build_c(
+    (sources, compiler, is_library): (&[&String], &str, bool),
+    cell: &Path,
+    sandbox: &Sandbox,
+) -> Result<Built, NotBuilt> {
     if !cell.join("farop.h").exists() {
         put(cell, "farop.h", include_str!("../../../student_rasterizers/other_languages/c/farop.h"))?;
     }
@@ -241,10 +250,13 @@ fn put(cell: &Path, name: &str, text: &str) -> Result<(), NotBuilt> {
 }
 
 fn compile(words: &[OsString], cell: &Path, sandbox: &Sandbox, lent: Vec<PathBuf>) -> Result<(), NotBuilt> {
-    let run = external::run(words, &sandbox.build(cell, lent)).map_err(|failure| NotBuilt::Refused(failure.to_string()))?;
+    let run =
+        external::run(words, &sandbox.build(cell, lent)).map_err(|failure| NotBuilt::Refused(failure.to_string()))?;
     match run.failure {
         None => Ok(()),
-        Some(ExternalFailure::Exited { .. }) => Err(NotBuilt::Refused(format!("It does not compile.\n{}", shown(&run.stderr)))),
+        Some(ExternalFailure::Exited { .. }) => {
+            Err(NotBuilt::Refused(format!("It does not compile.\n{}", shown(&run.stderr))))
+        }
         Some(failure) => Err(NotBuilt::Refused(format!("The compiler was stopped: {failure}"))),
     }
 }

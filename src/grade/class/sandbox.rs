@@ -44,7 +44,11 @@ impl Sandbox {
         if missing.is_empty() || may_miss {
             return Ok(sandbox);
         }
-        Err(format!("submissions cannot be held safely here; missing: {}\nhelp: {}", missing.join(", "), advice(&missing)))
+        Err(format!(
+            "submissions cannot be held safely here; missing: {}\nhelp: {}",
+            missing.join(", "),
+            advice(&missing)
+        ))
     }
 
     /// The same with that much time for a picture.
