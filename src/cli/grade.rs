@@ -1,10 +1,11 @@
 //! `farop grade`: what is wrong with a rasterizer or a function, why, and the smallest case that shows it.
 
+use super::class::ClassOptions;
 use super::error::{self, CliError, notice};
 use super::results::{Ledger, ResultOptions};
 use super::scenes::{Chosen, find_rasterizer};
-use super::submission;
 use crate::grade::bundle::Order;
+use crate::grade::class::with_submission;
 use crate::grade::folder::Pictures;
 use crate::grade::functions::{FUNCTION_LABS, grade_clip, grade_triangulate};
 use crate::grade::handout;
@@ -12,7 +13,6 @@ use crate::grade::rubric::Rubric;
 use crate::grade::{self, InProcess, Lab, Outside, Subject, Verdict, write};
 use crate::image::save;
 use crate::raster::Registry;
-use crate::raster::external::External;
 use clap::Args;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
@@ -23,19 +23,19 @@ type Judged = (Verdict, Option<Verdict>);
 /// Grade a rasterizer: points, the mistake by its name, the smallest case
 #[derive(Args)]
 #[command(
-    after_help = "Examples:\n  farop grade zbuffer -r mine --witness small.scr\n  farop grade zbuffer --pictures pictures"
+    after_help = "Examples:\n  farop grade zbuffer -r mine --witness small.scr\n  farop grade zbuffer --class submissions --jobs 4"
 )]
 pub(super) struct GradeCommand {
     /// Which lab (`farop list labs` has the names)
     lab: String,
     /// Rasterizer; in `clip` and `triangulate` a function
-    #[arg(short, long, value_name = "NAME", required_unless_present_any = ["pictures", "submission", "hint", "bundle"])]
+    #[arg(short, long, value_name = "NAME", required_unless_present_any = ["pictures", "submission", "hint", "bundle", "folder"])]
     rasterizer: Option<String>,
     /// Folder of PPM or PNG pictures drawn elsewhere from the files of `farop suite LAB`
     #[arg(long, value_name = "DIR", conflicts_with = "rasterizer")]
     pictures: Option<PathBuf>,
-    /// One submission as a platform has it: a .c, .cpp, .py or program, or a folder with one
-    #[arg(long, value_name = "PATH", conflicts_with_all = ["rasterizer", "pictures"])]
+    /// One submission as a platform has it, a file or a folder; compiled and run in the jail
+    #[arg(long, value_name = "PATH", group = "untrusted", conflicts_with_all = ["rasterizer", "pictures", "watch", "extremes"])]
     submission: Option<PathBuf>,
     /// Write what a platform wants uploaded (gradescope), as a .zip or a folder
     #[arg(long, num_args = 2, value_names = ["PLATFORM", "PATH"])]
@@ -63,6 +63,8 @@ pub(super) struct GradeCommand {
     /// The verdict as JSON on standard output
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    class: ClassOptions,
 }
 
 impl GradeCommand {
@@ -83,17 +85,14 @@ impl GradeCommand {
         if let Some([platform, path]) = self.bundle.as_deref() {
             return self.write_bundle((lab, &platform.to_string_lossy()), path);
         }
+        if self.class.folder.is_some() {
+            return self.class.run(lab, (self.seed, self.rubric.as_deref()), self.json);
+        }
         let rubric = self.read_rubric(lab)?;
         if !self.watch {
             return self.grade(lab, &rubric, registry);
         }
         self.watch(lab, &rubric, registry)
-    }
-
-    fn rubric_text(&self) -> Result<Option<String>, CliError> {
-        let Some(path) = &self.rubric else { return Ok(None) };
-        let text = std::fs::read_to_string(path);
-        text.map(Some).map_err(|error| CliError::failed(format!("cannot read {}: {error}", path.display())))
     }
 
     fn write_bundle(&self, (lab, platform): (&Lab, &str), path: &Path) -> Result<(), CliError> {
@@ -103,15 +102,14 @@ impl GradeCommand {
             return Err(CliError::failed(format!("lab {}: {words}", lab.name)));
         }
         self.read_rubric(lab)?;
-        let text = self.rubric_text()?;
+        let text = self.rubric.as_deref().map(std::fs::read_to_string).transpose().map_err(CliError::failed)?;
         let (seed, hidden, leaderboard) = (self.seed, self.results.hidden, self.results.leaderboard);
         let order = Order { lab: lab.name, seed, hidden, rubric: text.as_deref(), leaderboard };
         super::bundle::write(platform, path, &order)
     }
 
     fn read_rubric(&self, lab: &Lab) -> Result<Rubric, CliError> {
-        let (Some(path), Some(text)) = (&self.rubric, self.rubric_text()?) else { return Ok(Rubric::default()) };
-        Rubric::parse(&text, lab).map_err(|error| CliError::failed(format!("{}: {error}", path.display())))
+        read_rubric(self.rubric.as_deref(), lab)
     }
 
     fn grade(&self, lab: &Lab, rubric: &Rubric, registry: &Registry) -> Result<(), CliError> {
@@ -189,10 +187,11 @@ impl GradeCommand {
 
     /// Grades what lies in `path`.
     fn judge_submission(&self, path: &Path, (lab, rubric): (&Lab, &Rubric)) -> Result<Judged, CliError> {
-        let found = submission::find(path)?;
-        let external = External::from_name(&found.door);
-        let external = external.ok_or_else(|| CliError::failed(format!("no door: {}", found.door)))?;
-        self.judge(&Outside::new(external), &found.name, (lab, rubric))
+        let (sandbox, tools) = self.class.sandbox()?;
+        let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+        let ledger = Ledger::new(&self.results, (lab, rubric), (&name, self.seed), false).held_by(sandbox.layers());
+        let mut fill = |subject: &dyn Subject| ledger.fill(&mut |request, keep| grade::grade(subject, request, keep));
+        with_submission(lab, path, (&sandbox, &tools), &mut fill).map_err(CliError::failed)?
     }
 
     /// Grades a clip or a triangulation.
@@ -244,6 +243,14 @@ impl GradeCommand {
             }
         }
     }
+}
+
+/// The rubric in a file; each aspect's own points without one.
+pub(super) fn read_rubric(path: Option<&Path>, lab: &Lab) -> Result<Rubric, CliError> {
+    let Some(path) = path else { return Ok(Rubric::default()) };
+    let text = std::fs::read_to_string(path)
+        .map_err(|error| CliError::failed(format!("cannot read {}: {error}", path.display())))?;
+    Rubric::parse(&text, lab).map_err(|error| CliError::failed(format!("{}: {error}", path.display())))
 }
 
 pub(super) fn is_about_function(lab: &Lab) -> bool {

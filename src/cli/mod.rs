@@ -10,6 +10,7 @@
 mod bench;
 mod bundle;
 mod check;
+mod class;
 mod compare;
 mod convert;
 mod dump;
@@ -26,11 +27,11 @@ mod plan;
 mod raster;
 mod render;
 mod results;
+mod sandbox;
 mod scenes;
 mod stages;
 mod stats;
 pub mod student;
-mod submission;
 mod suite;
 mod terrain;
 mod view;
@@ -105,6 +106,7 @@ enum Command {
     Lab(lab::LabCommand),
     Bench(bench::BenchCommand),
     Grade(grade::GradeCommand),
+    Sandbox(sandbox::SandboxCommand),
     Convert(convert::ConvertCommand),
     Generate(generate::GenerateCommand),
     Plan(plan::PlanCommand),
@@ -149,6 +151,7 @@ impl Command {
             Command::Lab(command) => command.run(registry),
             Command::Bench(command) => command.run(registry),
             Command::Grade(command) => command.run(registry),
+            Command::Sandbox(command) => command.run(),
             Command::Convert(command) => command.run(),
             Command::Generate(command) => command.run(),
             Command::Plan(command) => command.run(registry),

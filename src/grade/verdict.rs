@@ -233,9 +233,9 @@ pub fn grade(subject: &dyn Subject, request: &Request<'_>, progress: &mut dyn Fn
             progress(&verdict);
         }
         if aspect.watch == Watch::Cost {
-            let nothing = || "no picture came, so no time could be measured".to_string();
-            let cost = if verdict.is_blank() { Some(nothing()) } else { watch::cost(subject) };
-            verdict.aspects[index].cause = cost.map(Cause::Other);
+            let drew = verdict.aspects.iter().flat_map(|aspect| &aspect.shots).any(|shot| shot.answer.is_ok());
+            let words = if drew { watch::cost(subject) } else { Some(watch::NOTHING.to_string()) };
+            verdict.aspects[index].cause = words.map(Cause::Other);
         }
         let now = &mut verdict.aspects[index];
         now.earned = now.points_by_cases();

@@ -12,6 +12,8 @@ use std::time::Instant;
 /// In the complaints about fragments outside, about what is kept, and about a list that is reversed.
 pub(super) const STRAY: &str = "fragments were put outside";
 pub(super) const KEPT: &str = "something is kept between calls";
+/// Why nobody who never drew is quick.
+pub(super) const NOTHING: &str = "nothing was drawn, so there is no time to measure";
 pub(super) const ORDER: &str = "the picture depends on the order";
 
 /// What is wrong with a case besides its pixels.

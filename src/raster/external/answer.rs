@@ -49,8 +49,18 @@ pub(super) fn read(bytes: &[u8], size: (u32, u32), stderr: &str) -> Result<Image
     Ok(head.light(pixels))
 }
 
-/// The pictures in `bytes`, one of each of `sizes`; `None` unless exactly these are there.
-pub(super) fn read_all(bytes: &[u8], sizes: impl Iterator<Item = (u32, u32)>) -> Option<Vec<Image>> {
+/// What a remark begins with: a comment in the head of a PF, in which a program of ours says more than the picture.
+const REMARK: &str = "PF\n# farop ";
+
+/// The remark in the head of a picture, if there is one.
+pub(super) fn remark(bytes: &[u8]) -> Option<String> {
+    let rest = bytes.strip_prefix(REMARK.as_bytes())?;
+    let end = rest.iter().position(|&byte| byte == b'\n')?;
+    String::from_utf8(rest[..end].to_vec()).ok()
+}
+
+/// The pictures in `bytes` with their remarks, one of each of `sizes`; `None` unless exactly these are there.
+pub(super) fn read_all(bytes: &[u8], sizes: impl Iterator<Item = (u32, u32)>) -> Option<Vec<(Image, Option<String>)>> {
     let mut rest = bytes;
     let mut next = |size: (u32, u32)| {
         let picture = rest.trim_ascii_start();
@@ -60,20 +70,36 @@ pub(super) fn read_all(bytes: &[u8], sizes: impl Iterator<Item = (u32, u32)>) ->
         }
         let end = head.length + head.pixel_bytes();
         rest = picture.get(end..)?;
-        Some(head.light(&picture[head.length..end]))
+        Some((head.light(&picture[head.length..end]), remark(picture)))
     };
     let images = sizes.map(&mut next).collect::<Option<Vec<_>>>()?;
     rest.trim_ascii_start().is_empty().then_some(images)
 }
 
 /// The PF picture of rows of light, `width` samples each: what the host of a library answers.
-pub(super) fn write_floats(width: usize, rgb: &[f32], out: &mut Vec<u8>) {
+///
+/// ```
+/// let mut out = Vec::new();
+/// farop::raster::external::write_floats(1, &[0.0, 0.5, 1.0], &mut out);
+/// assert!(out.starts_with(b"PF\n1 1\n-1\n"));
+/// ```
+pub fn write_floats(width: usize, rgb: &[f32], out: &mut Vec<u8>) {
     let row = width * 3;
     let height = rgb.len().checked_div(row).unwrap_or(0);
     out.extend_from_slice(format!("PF\n{width} {height}\n-1\n").as_bytes());
     for row in rgb.chunks_exact(row.max(1)).rev() {
         row.iter().for_each(|channel| out.extend_from_slice(&channel.to_le_bytes()));
     }
+}
+
+/// As [`write_floats`], with a remark (one line) in the head, which the reader hands on as [`super::Answer::remark`].
+pub fn write_remarked(width: usize, rgb: &[f32], remark: &str, out: &mut Vec<u8>) {
+    let mut picture = Vec::new();
+    write_floats(width, rgb, &mut picture);
+    out.extend_from_slice(REMARK.as_bytes());
+    out.extend(remark.bytes().map(|byte| if byte == b'\n' { b' ' } else { byte }));
+    // What follows the two letters of the kind.
+    out.extend_from_slice(&picture[2..]);
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -213,6 +239,16 @@ mod tests {
         let mut bytes = Vec::new();
         write_floats(3, &floats, &mut bytes);
         assert_eq!(read(&bytes, (3, 2), "").expect("a picture"), image);
+    }
+
+    #[test]
+    fn remarks_come_with_their_pictures() {
+        let mut bytes = Vec::new();
+        write_remarked(1, &[0.0; 3], "two\nlines", &mut bytes);
+        write_floats(1, &[0.5; 3], &mut bytes);
+        assert_eq!(remark(&bytes).as_deref(), Some("two lines"));
+        let both = read_all(&bytes, [(1, 1), (1, 1)].into_iter()).expect("two pictures");
+        assert_eq!(both.iter().map(|(_, remark)| remark.as_deref()).collect::<Vec<_>>(), [Some("two lines"), None]);
     }
 
     #[test]

@@ -5,13 +5,15 @@
 //! Why a process in between: rights can be dropped only from inside. Doing it between fork and exec in the parent needs unsafe code;
 //! a second start of farop does not, and costs about a millisecond.
 //!
-//! Resource limits, then Landlock (files), then seccomp (system calls): each of them may be missing in an old kernel or inside a
+//! Resource limits, then Landlock (files), then seccomp (system calls), in [`super::confine`]: each of them may be missing in an old kernel or inside a
 //! container. What is missing is left out and not claimed: the first line on standard error says what is in force.
+//! A submission that is graded is not started then, unless that was asked for ([`super::strict`]).
 //!
 //! Source: man pages setrlimit(2), landlock(7), seccomp(2).
 
 use super::Enforced;
 use super::limits::Limits;
+use super::strict::Lent;
 use std::ffi::OsString;
 use std::io::Write;
 use std::process::Command;
@@ -30,9 +32,22 @@ pub fn enter(arguments: &[OsString]) -> u8 {
         let _ = writeln!(std::io::stderr(), "{NO_START}: `__jail` is farop's own and has no other use");
         return 2;
     };
+    // What is lent must be open before this process is somebody else.
+    let lent = limits.strict.as_ref().map(Lent::open).unwrap_or_default();
     let enforced = restrict(&limits);
     let _ = writeln!(std::io::stderr(), "{REPORT}{}", enforced.words());
-    let _ = writeln!(std::io::stderr(), "{NO_START}{}", become_program(Command::new(program).args(rest)));
+    let mut command = Command::new(lent.renamed(program));
+    command.args(rest.iter().map(|word| lent.renamed(word)));
+    if let Some(strict) = &limits.strict {
+        if let Some(missing) = enforced.first_missing().filter(|_| !strict.may_miss) {
+            let _ = writeln!(std::io::stderr(), "{NO_START}: {missing} cannot be confined here");
+            return 126;
+        }
+        let environment = strict.environment();
+        command.env_clear().envs(environment.iter().map(|(name, value)| (name, lent.renamed(value))));
+        command.current_dir(&strict.folder);
+    }
+    let _ = writeln!(std::io::stderr(), "{NO_START}{}", become_program(&mut command));
     126
 }
 
@@ -53,72 +68,15 @@ fn restrict(_: &Limits) -> Enforced {
 
 #[cfg(target_os = "linux")]
 fn restrict(limits: &Limits) -> Enforced {
+    use super::confine;
+    let strict = limits.strict.as_ref();
+    // In this order: who is no longer root cannot open all that is lent, and the last filter ends it.
     Enforced {
-        resources: linux::resources(limits).is_ok(),
-        files: linux::files(limits).unwrap_or(false),
-        network: linux::system_calls().is_some(),
+        resources: confine::resources(limits).is_ok(),
+        files: confine::files(limits).unwrap_or(false),
+        user: strict.is_some_and(confine::user),
+        network: confine::system_calls().is_some(),
+        calls: strict.is_some_and(|strict| confine::calls_of(strict.work).is_some()),
         processes: false,
-    }
-}
-
-#[cfg(target_os = "linux")]
-mod linux {
-    use super::Limits;
-    use landlock::{
-        ABI, Access, AccessFs, Ruleset, RulesetAttr, RulesetCreatedAttr, RulesetStatus, path_beneath_rules,
-    };
-    use nix::libc;
-    use nix::sys::resource::{Resource, setrlimit};
-    use seccompiler::{BpfProgram, SeccompAction, SeccompFilter, apply_filter};
-    use std::collections::BTreeMap;
-    use std::os::unix::fs::MetadataExt;
-    use std::path::Path;
-
-    pub fn resources(limits: &Limits) -> nix::Result<()> {
-        let all = [
-            (Resource::RLIMIT_CPU, limits.wall.as_secs()),
-            (Resource::RLIMIT_AS, limits.memory),
-            (Resource::RLIMIT_FSIZE, limits.file),
-            (Resource::RLIMIT_NOFILE, 64),
-            (Resource::RLIMIT_CORE, 0),
-            // It counts all that the user runs, threads too, and is ignored for root: the parent counts as well.
-            (Resource::RLIMIT_NPROC, tasks_of_this_user() + limits.processes * 4),
-        ];
-        all.into_iter().try_for_each(|(resource, limit)| setrlimit(resource, limit, limit))
-    }
-
-    fn tasks_of_this_user() -> u64 {
-        let owner = |path: &Path| std::fs::metadata(path).ok().map(|data| data.uid());
-        let (own, folder) = (owner(Path::new("/proc/self")), std::fs::read_dir("/proc"));
-        let threads = |process: std::fs::DirEntry| {
-            let mine = owner(&process.path()) == own;
-            mine.then(|| std::fs::read_dir(process.path().join("task")).map_or(0, |tasks| tasks.count() as u64))
-        };
-        folder.map_or(0, |folder| folder.flatten().filter_map(threads).sum())
-    }
-
-    /// Whether writing (and reading, if so wished) is confined.
-    pub fn files(limits: &Limits) -> Result<bool, landlock::RulesetError> {
-        // Version 3 knows all ways of changing files; newer ones add what is no matter of files.
-        let all = AccessFs::from_all(ABI::V3);
-        let handled = if limits.readable.is_empty() { AccessFs::from_write(ABI::V3) } else { all };
-        let mut ruleset = Ruleset::default().handle_access(handled)?.create()?;
-        let devices = AccessFs::WriteFile | AccessFs::ReadFile;
-        ruleset = ruleset.add_rules(path_beneath_rules(["/dev/null"], devices & handled))?;
-        if !limits.readable.is_empty() {
-            ruleset = ruleset.add_rules(path_beneath_rules(&limits.readable, AccessFs::from_read(ABI::V3)))?;
-        }
-        Ok(ruleset.restrict_self()?.ruleset != RulesetStatus::NotEnforced)
-    }
-
-    /// Denies what no rasterizer needs: the network, and leaving the group of processes that is ended together.
-    pub fn system_calls() -> Option<()> {
-        let denied =
-            [libc::SYS_socket, libc::SYS_io_uring_setup, libc::SYS_ptrace, libc::SYS_setsid, libc::SYS_setpgid];
-        let rules: BTreeMap<i64, Vec<_>> = denied.into_iter().map(|call| (call, Vec::new())).collect();
-        let refuse = SeccompAction::Errno(libc::EPERM as u32);
-        let filter = SeccompFilter::new(rules, SeccompAction::Allow, refuse, std::env::consts::ARCH.try_into().ok()?);
-        let program: BpfProgram = filter.ok()?.try_into().ok()?;
-        apply_filter(&program).ok()
     }
 }

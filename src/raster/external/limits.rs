@@ -1,5 +1,6 @@
 //! Limits for programs that are not farop's, and which of them the system really enforced.
 
+use super::strict::Strict;
 use std::fmt;
 use std::path::PathBuf;
 use std::time::Duration;
@@ -19,6 +20,8 @@ pub struct Limits {
     pub processes: u64,
     /// Folders and files it may read; empty: all of them.
     pub readable: Vec<PathBuf>,
+    /// How a submission that is graded is held; none for programs that users start for themselves.
+    pub strict: Option<Strict>,
 }
 
 impl Default for Limits {
@@ -30,6 +33,7 @@ impl Default for Limits {
             file: 0,
             processes: 16,
             readable: Vec::new(),
+            strict: None,
         }
     }
 }
@@ -43,16 +47,30 @@ impl Limits {
     /// As arguments of `farop __jail`; the other limits are the parent's business.
     pub(super) fn to_arguments(&self) -> Vec<std::ffi::OsString> {
         let numbers = format!("{},{},{},{}", self.processor_seconds(), self.memory, self.file, self.processes);
-        std::iter::once(numbers.into()).chain(self.readable.iter().map(|path| path.clone().into())).collect()
+        match &self.strict {
+            Some(strict) => {
+                let (words, paths) = strict.to_arguments();
+                std::iter::once((numbers + &words).into()).chain(paths).collect()
+            }
+            None => {
+                let readable = self.readable.iter().map(|path| path.clone().into());
+                std::iter::once(numbers.into()).chain(readable).collect()
+            }
+        }
     }
 
     /// What [`Limits::to_arguments`] wrote, with the wall-clock limit still four times too long: it bounds processor time.
     pub(super) fn from_arguments(arguments: &[std::ffi::OsString]) -> Option<Limits> {
-        let (numbers, readable) = arguments.split_first()?;
-        let numbers: Option<Vec<u64>> = numbers.to_str()?.split(',').map(|number| number.parse().ok()).collect();
+        let (words, paths) = arguments.split_first()?;
+        let words: Vec<&str> = words.to_str()?.split(',').collect();
+        let (numbers, strict) = words.split_at_checked(4)?;
+        let numbers: Option<Vec<u64>> = numbers.iter().map(|number| number.parse().ok()).collect();
         let [seconds, memory, file, processes] = numbers?[..] else { return None };
-        let readable = readable.iter().map(PathBuf::from).collect();
-        Some(Limits { wall: Duration::from_secs(seconds), memory, file, processes, readable, ..Limits::default() })
+        let limits = Limits { wall: Duration::from_secs(seconds), memory, file, processes, ..Limits::default() };
+        if strict.is_empty() {
+            return Some(Limits { readable: paths.iter().map(PathBuf::from).collect(), ..limits });
+        }
+        Some(Limits { strict: Some(Strict::from_arguments(strict, paths)?), ..limits })
     }
 }
 
@@ -67,21 +85,38 @@ pub struct Enforced {
     pub network: bool,
     /// The number of processes is watched, and all of them are ended together.
     pub processes: bool,
+    /// No new processes, no signals to others, no memory of others (seccomp); only of a submission that is graded.
+    pub calls: bool,
+    /// It does not run as root; only known of a submission that is graded.
+    pub user: bool,
 }
 
 impl Enforced {
-    const NAMES: [&'static str; 3] = ["resources", "files", "network"];
+    const NAMES: [&'static str; 5] = ["resources", "files", "network", "calls", "user"];
+
+    /// What a graded submission must be held by, in the words of reports, and whether it is.
+    #[must_use]
+    pub fn layers(self) -> [(&'static str, bool); 5] {
+        let Enforced { resources, files, network, calls, user, .. } = self;
+        let mut all = Self::NAMES.into_iter().zip([resources, files, network, calls, user]);
+        std::array::from_fn(|_| all.next().unwrap_or_default())
+    }
+
+    /// The first of [`Enforced::layers`] that is missing.
+    pub(super) fn first_missing(self) -> Option<&'static str> {
+        self.layers().into_iter().find(|(_, on)| !on).map(|(name, _)| name)
+    }
 
     /// One word for each protection that the jail itself sets up.
     pub(super) fn words(self) -> String {
-        let all = Self::NAMES.into_iter().zip([self.resources, self.files, self.network]);
-        all.filter(|(_, on)| *on).map(|(name, _)| name).collect::<Vec<_>>().join(" ")
+        self.layers().into_iter().filter(|(_, on)| *on).map(|(name, _)| name).collect::<Vec<_>>().join(" ")
     }
 
     /// What [`Enforced::words`] wrote.
     pub(super) fn from_words(words: &str) -> Enforced {
-        let [resources, files, network] = Self::NAMES.map(|name| words.split(' ').any(|word| word == name));
-        Enforced { resources, files, network, processes: false }
+        let on = Self::NAMES.map(|name| words.split(' ').any(|word| word == name));
+        let [resources, files, network, calls, user] = on;
+        Enforced { resources, files, network, processes: false, calls, user }
     }
 }
 
@@ -141,6 +176,7 @@ impl fmt::Display for Enforced {
 
 #[cfg(test)]
 mod tests {
+    use super::super::strict::Work;
     use super::*;
 
     #[test]
@@ -149,6 +185,11 @@ mod tests {
         let read = Limits::from_arguments(&limits.to_arguments()).expect("our own words");
         assert_eq!(read, Limits { wall: limits.wall * 4, ..limits });
         assert_eq!(Limits::from_arguments(&["1,2".into()]), None);
+        let (folder, lent) = ("/tmp/a b".into(), vec!["/opt/x".into()]);
+        let strict = Strict { folder, work: Work::Build, lent, user: Some(9), may_miss: false };
+        let limits = Limits { strict: Some(strict), ..Limits::default() };
+        let read = Limits::from_arguments(&limits.to_arguments()).expect("our own words");
+        assert_eq!(read, Limits { wall: limits.wall * 4, ..limits });
     }
 
     #[test]

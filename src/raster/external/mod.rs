@@ -2,6 +2,8 @@
 //!
 //! DrawList -v2 screen file-> program's standard input; its standard output -picture-> target
 //!
+//! Submissions that are graded come by the same doors, held more tightly: [`Strict`].
+//!
 //! One contract for both: the list goes out as a v2 screen file with `encoding linear`, one picture comes back. A library
 //! is loaded by a second farop (`farop __host lib:PATH`) that speaks the same protocol, so one jail serves both, and no crash and no
 //! endless loop of a student's code ever ends this process. `docs/doors.md` is the student's page.
@@ -16,18 +18,24 @@
 //! Cost: the text of the list, a start of the program, and the bytes of the picture; for every band of a picture that is drawn in bands.
 
 mod answer;
+#[cfg(target_os = "linux")]
+mod confine;
 mod failure;
 mod jail;
 mod library;
 mod limits;
 mod misbehave;
 mod process;
+mod strict;
 
+pub use answer::{write_floats, write_remarked};
 pub use failure::ExternalFailure;
 pub use jail::enter as enter_jail;
 pub use library::{layout as library_layout, serve as serve_library};
 pub use limits::{Confinement, Enforced, Limits};
 pub use misbehave::misbehave;
+pub use process::Run;
+pub use strict::{Strict, Work};
 
 use super::{Rasterizer, Target};
 use crate::color::{Encoding, Rgb};
@@ -49,6 +57,28 @@ pub fn this_program_is_host() {
     if let Ok(path) = std::env::current_exe() {
         let _ = HOST.set(path);
     }
+}
+
+/// The program that answers to `__jail` and `__host`, if this process has one.
+#[must_use]
+pub fn host() -> Option<&'static Path> {
+    HOST.get().map(PathBuf::as_path)
+}
+
+/// Runs a program of other people, a compiler for example, within `limits`, with nothing on standard input.
+///
+/// # Errors
+/// [`ExternalFailure::CannotStart`]; all else is in the result.
+pub fn run(words: &[OsString], limits: &Limits) -> Result<Run, ExternalFailure> {
+    ask(words, Vec::new(), limits)
+}
+
+/// As [`run`], with `input` on standard input.
+///
+/// # Errors
+/// As [`run`].
+pub fn ask(words: &[OsString], input: Vec<u8>, limits: &Limits) -> Result<Run, ExternalFailure> {
+    process::run(words, host(), input, limits)
 }
 
 /// A rasterizer outside farop.
@@ -75,6 +105,8 @@ pub struct Answer {
     pub image: Image,
     /// Which limits the system enforced.
     pub enforced: Enforced,
+    /// What a program of ours says besides: see [`write_remarked`].
+    pub remark: Option<String>,
 }
 
 impl External {
@@ -88,7 +120,23 @@ impl External {
             ("lib", path) => Door::Library(path.into()),
             _ => return None,
         };
-        Some(External { name: name.to_string(), door, limits: Limits::default(), host: HOST.get().cloned() })
+        Some(External::behind(name, door))
+    }
+
+    /// The rasterizer that `words`, a program and its arguments, start; `name` stands in reports.
+    #[must_use]
+    pub fn program(name: &str, words: Vec<OsString>) -> External {
+        External::behind(name, Door::Command(words))
+    }
+
+    /// The rasterizer in the shared library at `path`; `name` stands in reports.
+    #[must_use]
+    pub fn library(name: &str, path: PathBuf) -> External {
+        External::behind(name, Door::Library(path))
+    }
+
+    fn behind(name: &str, door: Door) -> External {
+        External { name: name.to_string(), door, limits: Limits::default(), host: HOST.get().cloned() }
     }
 
     /// The same with other limits.
@@ -127,7 +175,7 @@ impl External {
             Some(failure) => Err(self.complete(failure, list)),
             None => {
                 let image = answer::read(&run.stdout, (list.width, list.height), &run.stderr)?;
-                Ok(Answer { image, enforced: run.enforced })
+                Ok(Answer { image, enforced: run.enforced, remark: answer::remark(&run.stdout) })
             }
         }
     }
@@ -156,7 +204,8 @@ impl External {
             return None;
         }
         let images = answer::read_all(&run.stdout, lists.iter().map(|list| (list.width, list.height)))?;
-        Some(images.into_iter().map(|image| Answer { image, enforced: run.enforced }).collect())
+        let answer = |(image, remark)| Answer { image, enforced: run.enforced, remark };
+        Some(images.into_iter().map(answer).collect())
     }
 
     /// The command to start.

@@ -24,7 +24,7 @@ const STDERR_KEPT: usize = 1 << 16;
 const DRAIN: Duration = Duration::from_secs(1);
 
 /// What came of a run.
-pub(super) struct Run {
+pub struct Run {
     /// Standard output.
     pub stdout: Vec<u8>,
     /// The beginning of standard error, without the jail's own words.
