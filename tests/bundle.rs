@@ -55,6 +55,10 @@ fn platform(base: &Path, bundle: &[u8], submission: &[(&str, &str)]) {
         std::fs::write(&path, content).expect("a file");
         std::fs::set_permissions(&path, std::fs::Permissions::from_mode(mode & 0o777)).expect("permissions");
     }
+    // Submissions run as somebody else, who must find the way to farop, as on the platform.
+    for folder in base.ancestors().take(2) {
+        std::fs::set_permissions(folder, std::fs::Permissions::from_mode(0o755)).expect("permissions");
+    }
     // The platform copies it next to the folders.
     std::fs::copy(base.join("source/run_autograder"), base.join("run_autograder")).expect("a file");
     for (name, text) in submission {
@@ -204,8 +208,12 @@ fn wrong_orders_are_explained() {
         assert!(outcome.stderr.contains(words), "{arguments}: {}", outcome.stderr);
     }
     assert_eq!(desk.entries(), [""; 0]);
-    desk.write("a.py", "");
-    desk.write("b.py", "");
-    let outcome = desk.run("grade coverage --submission .");
-    assert!(outcome.code == 2 && outcome.stderr.contains("a.py, b.py; hand in one"), "{}", outcome.stderr);
+    desk.write("a.c", "int main(void) { return x; }");
+    let outcome = desk.run("grade coverage --submission a.c --prairielearn p.json");
+    assert!(outcome.code == 2 && outcome.stderr.contains("does not compile"), "{}", outcome.stderr);
+    let value: Value = serde_json::from_slice(&desk.read("p.json")).expect("JSON");
+    assert!(
+        value["gradable"] == false && value["format_errors"][0].as_str().is_some_and(|text| text.contains("'x'")),
+        "{value}"
+    );
 }

@@ -180,6 +180,33 @@ fn the_class_page_ranks_links_and_escapes() {
 }
 
 #[test]
+fn a_graded_class_has_a_page_that_leads_to_reports() {
+    if !cfg!(target_os = "linux") || !std::path::Path::new("/usr/bin/python3").exists() {
+        println!("notice: no class is graded here, Linux and python3 are needed");
+        return;
+    }
+    let desk = Desk::new();
+    let right = include_str!("../student_rasterizers/other_languages/python/zbuffer.py");
+    std::fs::create_dir(desk.path("class")).expect("a folder");
+    for (name, text) in [("ana <b>", right.to_string()), ("bia", right.replace("row + 0.5", "row + 0.0"))] {
+        std::fs::create_dir(desk.path(&format!("class/{name}"))).expect("a folder");
+        desk.write(&format!("class/{name}/zbuffer.py"), text);
+    }
+    desk.done("grade coverage --class class --jobs 2 --time 60 --unsafe-no-sandbox");
+    let index = String::from_utf8(desk.read("class.graded/index.html")).expect("text");
+    check_page(&index);
+    assert!(index.contains("ana &lt;b&gt;") && index.contains("1</strong> of 2"), "{index}");
+    let links: Vec<_> = index.split("href=\"").skip(1).filter_map(|rest| rest.split('"').next()).collect();
+    assert!(links.iter().filter(|link| link.ends_with("/report.html")).count() >= 2, "{links:?}");
+    for link in links {
+        check_page(&String::from_utf8(desk.read(&format!("class.graded/{link}"))).expect("text"));
+    }
+    // Points are those of the lab, not shares.
+    let bia = String::from_utf8(desk.read("class.graded/submissions/bia/report.html")).expect("text");
+    assert!(bia.contains(" of 85 points") && bia.contains("card bad"));
+}
+
+#[test]
 fn the_command_writes_the_report() {
     let desk = Desk::new();
     desk.done("grade coverage -r zbuffer --report page.html");

@@ -17,7 +17,7 @@ use std::path::{Path, PathBuf};
 #[derive(Args)]
 pub(super) struct ClassOptions {
     /// Grade a class: a folder with a folder or file for each submission (docs/class.md)
-    #[arg(long = "class", value_name = "DIR", conflicts_with_all = ["rasterizer", "pictures", "watch", "extremes", "witness", "gradescope", "junit", "hint"])]
+    #[arg(long = "class", value_name = "DIR", group = "untrusted", conflicts_with_all = ["rasterizer", "pictures", "bundle", "watch", "extremes", "witness", "hidden", "gradescope", "leaderboard", "prairielearn", "classroom", "junit", "report", "hint"])]
     pub folder: Option<PathBuf>,
     /// With --class: where results go [default: DIR.graded]
     #[arg(long, value_name = "DIR", requires = "folder")]
@@ -31,21 +31,34 @@ pub(super) struct ClassOptions {
     /// With --class: how many at a time [default: one a processor]
     #[arg(long, value_name = "N", requires = "folder", value_parser = clap::value_parser!(u32).range(1..=256))]
     jobs: Option<u32>,
-    /// With --class: seconds for a picture [default: 5]
-    #[arg(long, value_name = "S", requires = "folder", value_parser = clap::value_parser!(u64).range(1..=600))]
+    /// With --class or --submission: seconds for a picture [default: 5]
+    #[arg(long, value_name = "S", requires = "untrusted", value_parser = clap::value_parser!(u64).range(1..=600))]
     time: Option<u64>,
-    /// With --class: the folder with libfarop.rlib and deps [default: beside this program]
-    #[arg(long, value_name = "DIR", requires = "folder")]
+    /// With either: the folder with libfarop.rlib and deps [default: beside this program]
+    #[arg(long, value_name = "DIR", requires = "untrusted")]
     library: Option<PathBuf>,
-    /// With --class, as root: submissions run as root, too
-    #[arg(long, requires = "folder")]
+    /// With either, as root: submissions run as root, too
+    #[arg(long, requires = "untrusted")]
     as_root: bool,
-    /// With --class: run submissions even where a protection is missing
-    #[arg(long, requires = "folder")]
+    /// With either: run submissions even where a protection is missing
+    #[arg(long, requires = "untrusted")]
     unsafe_no_sandbox: bool,
 }
 
 impl ClassOptions {
+    /// What holds submissions and what compiles them.
+    pub fn sandbox(&self) -> Result<(Sandbox, Tools), CliError> {
+        let sandbox = Sandbox::new(self.as_root, self.unsafe_no_sandbox).map_err(CliError::failed)?;
+        let sandbox = match self.time {
+            Some(seconds) => sandbox.with_time(std::time::Duration::from_secs(seconds)),
+            None => sandbox,
+        };
+        for name in sandbox.missing() {
+            notice(&format!("submissions are not held by this layer: {name}"));
+        }
+        Ok((sandbox, Tools::find(self.library.as_deref())))
+    }
+
     /// Grades the class, or scores it anew.
     pub fn run(&self, lab: &Lab, (seed, rubric): (u64, Option<&Path>), json: bool) -> Result<(), CliError> {
         let folder = self.folder.clone().unwrap_or_default();
@@ -61,15 +74,7 @@ impl ClassOptions {
                 folder.display()
             )));
         }
-        let sandbox = Sandbox::new(self.as_root, self.unsafe_no_sandbox).map_err(CliError::failed)?;
-        let sandbox = match self.time {
-            Some(seconds) => sandbox.with_time(std::time::Duration::from_secs(seconds)),
-            None => sandbox,
-        };
-        for name in sandbox.missing() {
-            notice(&format!("submissions are not held by this layer: {name}"));
-        }
-        let tools = Tools::find(self.library.as_deref());
+        let (sandbox, tools) = self.sandbox()?;
         let has_rust = submissions.iter().any(|submission| holds_rust(&submission.path));
         if let Some(trouble) = tools.trouble().filter(|_| has_rust) {
             return Err(CliError::failed(trouble));
@@ -138,5 +143,6 @@ fn finish(store: &Store, verdicts: &[Value], head: &Value, json: bool) -> Result
     let class = ranking::class(verdicts, head);
     store.keep_class("class.json", &format!("{class:#}\n")).map_err(CliError::failed)?;
     store.keep_class("grades.csv", &worksheet(verdicts)).map_err(CliError::failed)?;
+    store.keep_index().map_err(CliError::failed)?;
     error::print(&if json { format!("{class:#}\n") } else { ranking::summary(&class) })
 }

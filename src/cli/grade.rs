@@ -4,8 +4,8 @@ use super::class::ClassOptions;
 use super::error::{self, CliError, notice};
 use super::results::{Ledger, ResultOptions};
 use super::scenes::{Chosen, find_rasterizer};
-use super::submission;
 use crate::grade::bundle::Order;
+use crate::grade::class::with_submission;
 use crate::grade::folder::Pictures;
 use crate::grade::functions::{FUNCTION_LABS, grade_clip, grade_triangulate};
 use crate::grade::handout;
@@ -13,7 +13,6 @@ use crate::grade::rubric::Rubric;
 use crate::grade::{self, InProcess, Lab, Outside, Subject, Verdict, write};
 use crate::image::save;
 use crate::raster::Registry;
-use crate::raster::external::External;
 use clap::Args;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
@@ -35,8 +34,8 @@ pub(super) struct GradeCommand {
     /// Folder of PPM or PNG pictures drawn elsewhere from the files of `farop suite LAB`
     #[arg(long, value_name = "DIR", conflicts_with = "rasterizer")]
     pictures: Option<PathBuf>,
-    /// One submission as a platform has it: a .c, .cpp, .py or program, or a folder with one
-    #[arg(long, value_name = "PATH", conflicts_with_all = ["rasterizer", "pictures"])]
+    /// One submission as a platform has it, a file or a folder; compiled and run in the jail
+    #[arg(long, value_name = "PATH", group = "untrusted", conflicts_with_all = ["rasterizer", "pictures", "watch", "extremes"])]
     submission: Option<PathBuf>,
     /// Write what a platform wants uploaded (gradescope), as a .zip or a folder
     #[arg(long, num_args = 2, value_names = ["PLATFORM", "PATH"])]
@@ -96,12 +95,6 @@ impl GradeCommand {
         self.watch(lab, &rubric, registry)
     }
 
-    fn rubric_text(&self) -> Result<Option<String>, CliError> {
-        let Some(path) = &self.rubric else { return Ok(None) };
-        let text = std::fs::read_to_string(path);
-        text.map(Some).map_err(|error| CliError::failed(format!("cannot read {}: {error}", path.display())))
-    }
-
     fn write_bundle(&self, (lab, platform): (&Lab, &str), path: &Path) -> Result<(), CliError> {
         if is_about_function(lab) {
             let words =
@@ -109,7 +102,7 @@ impl GradeCommand {
             return Err(CliError::failed(format!("lab {}: {words}", lab.name)));
         }
         self.read_rubric(lab)?;
-        let text = self.rubric_text()?;
+        let text = self.rubric.as_deref().map(std::fs::read_to_string).transpose().map_err(CliError::failed)?;
         let (seed, hidden, leaderboard) = (self.seed, self.results.hidden, self.results.leaderboard);
         let order = Order { lab: lab.name, seed, hidden, rubric: text.as_deref(), leaderboard };
         super::bundle::write(platform, path, &order)
@@ -194,10 +187,11 @@ impl GradeCommand {
 
     /// Grades what lies in `path`.
     fn judge_submission(&self, path: &Path, (lab, rubric): (&Lab, &Rubric)) -> Result<Judged, CliError> {
-        let found = submission::find(path)?;
-        let external = External::from_name(&found.door);
-        let external = external.ok_or_else(|| CliError::failed(format!("no door: {}", found.door)))?;
-        self.judge(&Outside::new(external), &found.name, (lab, rubric))
+        let (sandbox, tools) = self.class.sandbox()?;
+        let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+        let ledger = Ledger::new(&self.results, (lab, rubric), (&name, self.seed), false).held_by(sandbox.layers());
+        let mut fill = |subject: &dyn Subject| ledger.fill(&mut |request, keep| grade::grade(subject, request, keep));
+        with_submission(lab, path, (&sandbox, &tools), &mut fill).map_err(CliError::failed)?
     }
 
     /// Grades a clip or a triangulation.

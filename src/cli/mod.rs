@@ -33,7 +33,6 @@ mod scenes;
 mod stages;
 mod stats;
 pub mod student;
-mod submission;
 mod suite;
 mod terrain;
 mod view;

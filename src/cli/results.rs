@@ -37,7 +37,7 @@ pub(super) struct ResultOptions {
 
 impl ResultOptions {
     fn with<'a>(&self, visible: &'a Verdict, hidden: Option<&'a Verdict>, rubric: &'a Rubric) -> Results<'a> {
-        Results { visible, hidden, rubric: Some(rubric), refused: None, leaderboard: self.leaderboard }
+        Results { hidden, rubric: Some(rubric), leaderboard: self.leaderboard, ..Results::from(visible) }
     }
 
     /// Writes every file that is asked for.
@@ -77,6 +77,8 @@ pub(super) struct Ledger<'a> {
     seed: u64,
     /// Labs about functions have no cases to look at.
     asks_all_hidden: bool,
+    /// What holds the submission while it runs.
+    layers: Vec<&'static str>,
 }
 
 impl<'a> Ledger<'a> {
@@ -86,7 +88,16 @@ impl<'a> Ledger<'a> {
         (name, seed): (&'a str, u64),
         asks_all_hidden: bool,
     ) -> Ledger<'a> {
-        Ledger { options, rubric, lab: *lab, name, seed, asks_all_hidden }
+        Ledger { options, rubric, lab: *lab, name, seed, asks_all_hidden, layers: Vec::new() }
+    }
+
+    /// The same about a submission that these layers hold.
+    pub fn held_by(self, layers: Vec<&'static str>) -> Ledger<'a> {
+        Ledger { layers, ..self }
+    }
+
+    fn write(&self, visible: &Verdict, hidden: Option<&Verdict>) -> Result<(), CliError> {
+        self.options.write(Results { layers: &self.layers, ..self.options.with(visible, hidden, self.rubric) })
     }
 
     /// Grades by visible probes, then by hidden ones; the first failure to write is told at the end, and the grade goes on.
@@ -104,15 +115,13 @@ impl<'a> Ledger<'a> {
         let mut trouble = None;
         let not_yet = later.as_ref().map(Verdict::blank);
         // Whoever is stopped before the first picture must leave a file, too.
-        self.options.write(self.options.with(&Verdict::blank(&request), not_yet.as_ref(), self.rubric))?;
+        self.write(&Verdict::blank(&request), not_yet.as_ref())?;
         let visible = grade(&request, &mut |so_far| {
-            let results = self.options.with(so_far, not_yet.as_ref(), self.rubric);
-            trouble = trouble.take().or(self.options.write(results).err());
+            trouble = trouble.take().or(self.write(so_far, not_yet.as_ref()).err());
         });
         let hidden = later.map(|request| {
             grade(&request, &mut |so_far| {
-                let results = self.options.with(&visible, Some(so_far), self.rubric);
-                trouble = trouble.take().or(self.options.write(results).err());
+                trouble = trouble.take().or(self.write(&visible, Some(so_far)).err());
             })
         });
         trouble.map_or(Ok((visible, hidden)), Err)

@@ -5,6 +5,8 @@ set -eu
 export DEBIAN_FRONTEND=noninteractive
 apt-get update
 apt-get install -y --no-install-recommends gcc g++ libc6-dev python3
-# Submissions must not read the seed of hidden probes.
+# Submissions, which run as another user, must not read the seed of hidden probes, nor anybody's results.
 base=${FAROP_AUTOGRADER:-/autograder}
-chmod -R go-rwx "$base/source" 2>/dev/null || true
+for file in "$base/run_autograder" "$base/source/run_autograder" "$base/source/rubric.toml" "$base/results"; do
+  [ ! -e "$file" ] || chmod go-rwx "$file"
+done

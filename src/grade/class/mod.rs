@@ -16,14 +16,17 @@ pub mod ranking;
 pub mod roster;
 pub mod sandbox;
 mod saved;
+mod single;
 mod store;
 pub mod worksheet;
 
 pub use sandbox::Sandbox;
 pub use saved::rescored;
+pub use single::with_submission;
 pub use store::Store;
 
 use super::functions::{FUNCTION_LABS, grade_clip, grade_triangulate};
+use super::html;
 use super::labs::{Aspect, Lab};
 use super::remote::Remote;
 use super::rubric::Rubric;
@@ -100,9 +103,11 @@ impl Class<'_> {
                     continue;
                 }
                 let cell = cells.open(self.sandbox)?;
-                let verdict = self.one(submission, cell.path(), &fingerprint);
+                let (verdict, page) = self.one(submission, cell.path(), &fingerprint);
                 drop(cell);
-                if let Err(error) = store.keep(&submission.key, &verdict) {
+                // The page first: where there is a verdict, the submission is done.
+                let kept = store.keep_page(&submission.key, &page).and_then(|()| store.keep(&submission.key, &verdict));
+                if let Err(error) = kept {
                     next.store(submissions.len(), Ordering::Relaxed);
                     return Err(error);
                 }
@@ -118,8 +123,8 @@ impl Class<'_> {
         })
     }
 
-    /// The verdict on one submission, as it is saved. Whatever happens, there is one.
-    fn one(&self, submission: &Submission, cell: &Path, fingerprint: &str) -> Value {
+    /// The verdict on one submission, as it is saved, and its report. Whatever happens, there are both.
+    fn one(&self, submission: &Submission, cell: &Path, fingerprint: &str) -> (Value, String) {
         let graded = catch_unwind(AssertUnwindSafe(|| self.graded(submission, cell)));
         let graded = graded.unwrap_or_else(|panic| {
             let words = super::subject::panic_text(panic.as_ref());
@@ -130,7 +135,8 @@ impl Class<'_> {
                 ("the grader failed", &format!("farop itself failed: {words}")),
             )
         });
-        saved::saved(&graded, submission, (self, fingerprint))
+        let page = html::report(&self.with_points(graded.verdict.clone()));
+        (saved::saved(&graded, submission, (self, fingerprint)), page)
     }
 
     fn graded(&self, submission: &Submission, cell: &Path) -> Graded {
@@ -179,6 +185,15 @@ impl Class<'_> {
     /// Whether a function is asked for, not a rasterizer.
     fn is_about_function(&self) -> bool {
         FUNCTION_LABS.iter().any(|lab| lab.name == self.lab.name)
+    }
+
+    /// The verdict with the rubric's points, as a student reads it.
+    fn with_points(&self, mut verdict: Verdict) -> Verdict {
+        for (aspect, saved) in self.lab.aspects.iter().zip(&mut verdict.aspects) {
+            let points = self.rubric.points(aspect);
+            (saved.earned, saved.most) = (saved.earned * points, points);
+        }
+        verdict
     }
 
     /// Every aspect is worth a point here: the rubric comes after, and can come again.

@@ -85,6 +85,24 @@ impl Store {
         self.write(&path, &format!("{verdict:#}\n"))
     }
 
+    /// Saves the report on a submission beside its verdict.
+    ///
+    /// # Errors
+    /// In words, when it cannot be written.
+    pub fn keep_page(&self, key: &str, page: &str) -> Result<(), String> {
+        let path = self.verdict(key).with_file_name("report.html");
+        std::fs::create_dir_all(path.parent().unwrap_or(&self.folder)).map_err(|error| error.to_string())?;
+        self.write(&path, page)
+    }
+
+    /// Writes the page about the class, with links to the reports that are there.
+    ///
+    /// # Errors
+    /// In words, when it cannot be written.
+    pub fn keep_index(&self) -> Result<(), String> {
+        crate::grade::html::write_class_index(&self.folder)
+    }
+
     /// Saves a file about the class.
     ///
     /// # Errors

@@ -245,6 +245,7 @@ fn foot(results: &Results<'_>) -> Markup {
     html! {
         footer {
             p { "The same at home: " code { "farop grade " (verdict.lab) " -r " (verdict.subject) } }
+            @if !results.layers.is_empty() { p.quiet { "The submission was held by: " (results.layers.join(", ")) "." } }
             p.quiet { "Every pixel is held against exact arithmetic. Where two levels are both honest, both are right." }
         }
     }

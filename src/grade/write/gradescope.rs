@@ -28,7 +28,7 @@ pub fn gradescope<'a>(results: impl Into<Results<'a>>) -> Value {
         "stdout_visibility": if tells_hidden { "hidden" } else { "visible" },
         "tests": entries.iter().map(test).collect::<Vec<_>>(),
         "extra_data": {
-            "schema": 1, "lab": verdict.lab, "subject": verdict.subject, "whole": results.is_whole(),
+            "schema": 1, "lab": verdict.lab, "subject": verdict.subject, "whole": results.is_whole(), "sandbox": results.layers,
             "mistakes": verdict.faults.iter().map(|fault| fault.name).collect::<Vec<_>>(),
         },
     });

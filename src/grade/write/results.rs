@@ -23,11 +23,13 @@ pub struct Results<'a> {
     pub refused: Option<&'a str>,
     /// A leaderboard is asked for.
     pub leaderboard: bool,
+    /// What held the submission while it ran; empty where it is part of this program, or nobody asked.
+    pub layers: &'a [&'static str],
 }
 
 impl<'a> From<&'a Verdict> for Results<'a> {
     fn from(visible: &'a Verdict) -> Results<'a> {
-        Results { visible, hidden: None, rubric: None, refused: None, leaderboard: false }
+        Results { visible, hidden: None, rubric: None, refused: None, leaderboard: false, layers: &[] }
     }
 }
 
