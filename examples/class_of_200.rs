@@ -40,12 +40,16 @@ fn main() {
     let mut wrong = Vec::new();
     for (kind, source) in &written {
         match rows.iter().find(|row| row["source"] == source.as_str()) {
-            Some(row) => wrong.extend(unruly::complaint(kind, row)),
+            Some(row) => wrong.extend(unruly::complaint(kind, row, &places)),
             None => wrong.push(format!("{source:?} has no grade")),
         }
     }
     wrong.dedup();
-    println!("\n{count} submissions of {} kinds, {jobs} at a time: {seconds:.0} s, exit code {:?}", kinds.len(), status.code());
+    println!(
+        "\n{count} submissions of {} kinds, {jobs} at a time: {seconds:.0} s, exit code {:?}",
+        kinds.len(),
+        status.code()
+    );
     println!("peak memory of the grader, of its largest child: {}", memory());
     println!("layers: {}", class["sandbox"]);
     println!("grades that are not as expected: {}", wrong.len());

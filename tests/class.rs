@@ -81,17 +81,32 @@ fn an_unruly_class_gets_its_grades() {
     let places = Places::new(desk.path());
     let all: Vec<Kind> = unruly::ordinary().into_iter().chain(unruly::unruly(&places)).collect();
     let names = [
-        "right_python", "right_rust", "right_library", "empty", "new\nline", "hangs", "crashes", "floods_disk", "daemon", "forges",
-        "reads_neighbor", "kills_parent", "includes", "embeds_c", "link",
+        "right_python",
+        "right_rust",
+        "right_library",
+        "empty",
+        "new\nline",
+        "hangs",
+        "crashes",
+        "floods_disk",
+        "daemon",
+        "forges",
+        "reads_neighbor",
+        "kills_parent",
+        "includes",
+        "embeds_c",
+        "link",
     ];
     let kinds = chosen(&all, &names);
-    let keys: Vec<String> = kinds.iter().enumerate().map(|(number, kind)| unruly::write(kind, number, &places)).collect();
+    let keys: Vec<String> =
+        kinds.iter().enumerate().map(|(number, kind)| unruly::write(kind, number, &places)).collect();
     let output = run(&["grade", "zbuffer", "--class", "submissions", "--jobs", "3", "--time", "3"], desk.path());
     let class = json(places.results.join("class.json"));
     let rows = class["submissions"].as_array().expect("a list");
     assert_eq!(rows.len(), kinds.len());
     let row = |source: &String| rows.iter().find(|row| row["source"] == source.as_str()).expect("every one has a row");
-    let wrong: Vec<_> = kinds.iter().zip(&keys).filter_map(|(kind, key)| unruly::complaint(kind, row(key))).collect();
+    let wrong: Vec<_> =
+        kinds.iter().zip(&keys).filter_map(|(kind, key)| unruly::complaint(kind, row(key), &places)).collect();
     assert!(wrong.is_empty(), "{}\n{}", wrong.join("\n"), String::from_utf8_lossy(&output.stdout));
 
     // Nothing is left: no file where attacks wrote, no cell, no process.
@@ -122,7 +137,8 @@ fn a_killed_grader_goes_on_and_points_can_change() {
     }
     let usual = ["grade", "zbuffer", "--class", "submissions", "--jobs", "1", "--time", "3"];
     run(&usual, desk.path());
-    let text = |folder: &str, file: &str| std::fs::read_to_string(desk.path().join(folder).join(file)).expect("written");
+    let text =
+        |folder: &str, file: &str| std::fs::read_to_string(desk.path().join(folder).join(file)).expect("written");
     let expected = ["class.json", "grades.csv"].map(|file| text("submissions.graded", file));
 
     // Kill it while a submission that hangs is being waited for.
@@ -176,7 +192,8 @@ fn functions_are_asked_across_the_border() {
     let class = desk.path().join("class");
     let right = "use farop::math::Vec3;\npub fn triangulate(outline: &[Vec3], normal: Vec3) -> Vec<[u32; 3]> {\n    \
                  println!(\"debugging\");\n    farop::raster::functions::ears(outline, normal)\n}\n";
-    let wrong = right.replace("farop::raster::functions::ears(outline, normal)", "let _ = normal; panic!(\"{}\", outline.len())");
+    let wrong = right
+        .replace("farop::raster::functions::ears(outline, normal)", "let _ = normal; panic!(\"{}\", outline.len())");
     for (name, text) in [("lab-triangulate-ana", right), ("lab-triangulate-rui", &wrong)] {
         std::fs::create_dir_all(class.join(name)).expect("made");
         std::fs::write(class.join(name).join("my_triangulate.rs"), text).expect("written");

@@ -56,16 +56,12 @@ impl ClassOptions {
         let rubric = read_rubric(rubric, lab)?;
         let submissions = roster(&folder).map_err(CliError::failed)?;
         if submissions.is_empty() {
-            return Err(CliError::failed(format!("{} holds no submissions: a folder or a file for each is expected", folder.display())));
+            return Err(CliError::failed(format!(
+                "{} holds no submissions: a folder or a file for each is expected",
+                folder.display()
+            )));
         }
-        let sandbox = Sandbox::new(self.as_root, self.unsafe_no_sandbox).map_err(CliError::failed)?;
-        let sandbox = match self.time {
-            Some(seconds) => sandbox.with_time(std::time::Duration::from_secs(seconds)),
-            None => sandbox,
-        };
-        for name in sandbox.missing() {
-            notice(&format!("submissions are not held by this layer: {name}"));
-        }
+        let sandbox = self.sandbox()?;
         let tools = Tools::find(self.library.as_deref());
         let has_rust = submissions.iter().any(|submission| holds_rust(&submission.path));
         if let Some(trouble) = tools.trouble().filter(|_| has_rust) {
@@ -89,6 +85,18 @@ impl ClassOptions {
         let verdicts: Vec<Value> =
             store.verdicts(Some(&keys)).into_iter().map(|verdict| rescored(verdict, lab, &rubric)).collect();
         finish(&store, &verdicts, &head(lab, &json!(seed), &json!(sandbox.layers())), json)
+    }
+
+    /// What holds the submissions; a layer that is missing and may be is told.
+    fn sandbox(&self) -> Result<Sandbox, CliError> {
+        let sandbox = Sandbox::new(self.as_root, self.unsafe_no_sandbox).map_err(CliError::failed)?;
+        for name in sandbox.missing() {
+            notice(&format!("submissions are not held by this layer: {name}"));
+        }
+        Ok(match self.time {
+            Some(seconds) => sandbox.with_time(std::time::Duration::from_secs(seconds)),
+            None => sandbox,
+        })
     }
 }
 

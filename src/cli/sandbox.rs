@@ -46,6 +46,9 @@ impl SandboxCommand {
         if open == 0 && missing.is_empty() {
             return Ok(());
         }
-        Err(CliError::Wanting(format!("a submission is not held here: {open} ways out, {} layers missing", missing.len())))
+        Err(CliError::Wanting(format!(
+            "a submission is not held here: {open} ways out, {} layers missing",
+            missing.len()
+        )))
     }
 }

@@ -60,9 +60,11 @@ fn find_rust(library: Option<&Path>) -> Result<Rust, String> {
     let sysroot = asked.ok().filter(|output| output.status.success());
     let sysroot = sysroot.map(|output| String::from_utf8_lossy(&output.stdout).trim().to_string());
     let Some(sysroot) = sysroot.map(PathBuf::from).filter(|sysroot| sysroot.join("bin/rustc").is_file()) else {
-        return Err("Rust submissions need `rustc`, and none can be started\nhelp: install the tool chain that farop was \
+        return Err(
+            "Rust submissions need `rustc`, and none can be started\nhelp: install the tool chain that farop was \
                     built with, and have it in PATH"
-            .to_string());
+                .to_string(),
+        );
     };
     let library = folder.canonicalize().map_err(|error| format!("{}: {error}", folder.display()))?;
     let farop = newest(&library).unwrap_or_else(|| library.join("libfarop.rlib"));
@@ -120,12 +122,13 @@ const PROGRAM: &str = "__graded";
 
 /// Makes of `files`, which lie in `cell`, what can be run; the first of these that fits.
 pub(super) fn build(files: &[String], cell: &Path, class: &Class<'_>) -> Result<Built, NotBuilt> {
-    let text = |name: &str| String::from_utf8_lossy(&std::fs::read(cell.join(name)).unwrap_or_default()).into_owned();
+    let text = |name: &str| text_of(cell, name);
     let ending = |ending: &'static str| files.iter().filter(move |name| name.ends_with(ending));
     let (own, lab) = (format!("my_{}.rs", class.lab.name), class.lab.name);
     let is_own = |name: &&String| name.rsplit('/').next() == Some(&own);
     let is_function = class.is_about_function();
-    let rust = ending(".rs").find(is_own)
+    let rust = ending(".rs")
+        .find(is_own)
         .or_else(|| ending(".rs").find(|name| !is_function && rasterizer_in(&text(name), lab).is_some()));
     if let Some(name) = rust {
         return build_rust(name, &text(name), cell, class);
@@ -133,15 +136,23 @@ pub(super) fn build(files: &[String], cell: &Path, class: &Class<'_>) -> Result<
     if is_function {
         return Err(NotBuilt::Nothing(format!("There is no {own}: the function `{lab}` is expected in it.")));
     }
+    build_other(files, cell, class)
+}
+
+/// In any other language.
+fn build_other(files: &[String], cell: &Path, class: &Class<'_>) -> Result<Built, NotBuilt> {
+    let ending = |ending: &'static str| files.iter().filter(move |name| name.ends_with(ending));
     for (kind, compiler) in [(".c", "cc"), (".cpp", "c++")] {
         let sources: Vec<&String> = ending(kind).collect();
         if sources.is_empty() {
             continue;
         }
-        let texts: Vec<String> = sources.iter().map(|name| text(name)).collect();
-        let is_library = texts.iter().any(|text| text.contains("farop_draw")) && !texts.iter().any(|text| has_main(text));
+        let texts: Vec<String> = sources.iter().map(|name| text_of(cell, name)).collect();
+        let is_library =
+            texts.iter().any(|text| text.contains("farop_draw")) && !texts.iter().any(|text| has_main(text));
         return build_c((&sources, compiler, is_library), cell, class.sandbox);
     }
+    let lab = class.lab.name;
     if let Some(name) = ending(".py").find(|name| name.contains(lab)).or_else(|| ending(".py").next()) {
         return Ok(Built::Program(vec!["python3".into(), "-B".into(), cell.join(name).into()], "python"));
     }
@@ -150,8 +161,12 @@ pub(super) fn build(files: &[String], cell: &Path, class: &Class<'_>) -> Result<
     }
     let seen = if files.is_empty() { "it is empty".to_string() } else { format!("there is {}", files.join(", ")) };
     Err(NotBuilt::Nothing(format!(
-        "There is nothing to run: a {own}, a .c, .cpp or .py file, or an executable is expected; {seen}."
+        "There is nothing to run: a my_{lab}.rs, a .c, .cpp or .py file, or an executable is expected; {seen}."
     )))
+}
+
+fn text_of(cell: &Path, name: &str) -> String {
+    String::from_utf8_lossy(&std::fs::read(cell.join(name)).unwrap_or_default()).into_owned()
 }
 
 fn has_main(text: &str) -> bool {
@@ -206,7 +221,8 @@ fn build_rust(name: &str, text: &str, cell: &Path, class: &Class<'_>) -> Result<
     let program = cell.join(PROGRAM);
     let deps = format!("dependency={}", rust.library.join("deps").display());
     let farop = format!("farop={}", rust.farop.display());
-    let mut words: Vec<OsString> = vec![rust.sysroot.join("bin/rustc").into(), "--sysroot".into(), rust.sysroot.clone().into()];
+    let mut words: Vec<OsString> =
+        vec![rust.sysroot.join("bin/rustc").into(), "--sysroot".into(), rust.sysroot.clone().into()];
     let options = ["--edition=2024", "--crate-name=graded", "--cap-lints=allow", "--color=never", "-Copt-level=1"];
     words.extend(options.map(OsString::from));
     words.extend(["-Cstrip=debuginfo", "-L", &deps, "--extern", &farop, MAIN, "-o"].map(OsString::from));
@@ -219,13 +235,18 @@ fn build_rust(name: &str, text: &str, cell: &Path, class: &Class<'_>) -> Result<
     Ok(if class.is_about_function() { Built::Function(program) } else { Built::Rust(program) })
 }
 
-fn build_c((sources, compiler, is_library): (&[&String], &str, bool), cell: &Path, sandbox: &Sandbox) -> Result<Built, NotBuilt> {
+fn build_c(
+    (sources, compiler, is_library): (&[&String], &str, bool),
+    cell: &Path,
+    sandbox: &Sandbox,
+) -> Result<Built, NotBuilt> {
     if !cell.join("farop.h").exists() {
         put(cell, "farop.h", include_str!("../../../student_rasterizers/other_languages/c/farop.h"))?;
     }
     let program = cell.join(if is_library { "__graded.so" } else { PROGRAM });
     let standard = if compiler == "cc" { "-std=gnu11" } else { "-std=gnu++17" };
-    let mut words: Vec<OsString> = [compiler, "-O2", standard, "-ffp-contract=off", "-I."].map(OsString::from).to_vec();
+    let mut words: Vec<OsString> =
+        [compiler, "-O2", standard, "-ffp-contract=off", "-pipe", "-I."].map(OsString::from).to_vec();
     words.extend(is_library.then_some(["-shared", "-fPIC"]).into_iter().flatten().map(OsString::from));
     words.extend([OsString::from("-o"), program.clone().into()]);
     // A name may begin with a dash: it is a file all the same.
@@ -241,10 +262,15 @@ fn put(cell: &Path, name: &str, text: &str) -> Result<(), NotBuilt> {
 }
 
 fn compile(words: &[OsString], cell: &Path, sandbox: &Sandbox, lent: Vec<PathBuf>) -> Result<(), NotBuilt> {
-    let run = external::run(words, &sandbox.build(cell, lent)).map_err(|failure| NotBuilt::Refused(failure.to_string()))?;
+    let run =
+        external::run(words, &sandbox.build(cell, lent)).map_err(|failure| NotBuilt::Refused(failure.to_string()))?;
     match run.failure {
         None => Ok(()),
-        Some(ExternalFailure::Exited { .. }) => Err(NotBuilt::Refused(format!("It does not compile.\n{}", shown(&run.stderr)))),
+        Some(ExternalFailure::Exited { .. }) => {
+            // The name of a cell is chance, and two runs must say the same.
+            let said = run.stderr.replace(&format!("{}/", cell.display()), "");
+            Err(NotBuilt::Refused(format!("It does not compile.\n{}", shown(&said))))
+        }
         Some(failure) => Err(NotBuilt::Refused(format!("The compiler was stopped: {failure}"))),
     }
 }

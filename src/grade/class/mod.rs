@@ -84,7 +84,12 @@ impl Class<'_> {
     ///
     /// # Errors
     /// In words, when results cannot be written: then the rest is not begun.
-    pub fn run(&self, submissions: &[Submission], store: &Store, progress: &(dyn Fn(usize) + Sync)) -> Result<(), String> {
+    pub fn run(
+        &self,
+        submissions: &[Submission],
+        store: &Store,
+        progress: &(dyn Fn(usize) + Sync),
+    ) -> Result<(), String> {
         let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
         let cells = store.cells()?;
         let work = || {
@@ -107,7 +112,8 @@ impl Class<'_> {
         };
         std::thread::scope(|scope| {
             let workers: Vec<_> = (0..self.jobs.max(1)).map(|_| scope.spawn(work)).collect();
-            let ends = workers.into_iter().map(|worker| worker.join().unwrap_or_else(|_| Err("a job broke off".into())));
+            let ends =
+                workers.into_iter().map(|worker| worker.join().unwrap_or_else(|_| Err("a job broke off".into())));
             ends.fold(Ok(()), Result::and)
         })
     }
@@ -117,7 +123,12 @@ impl Class<'_> {
         let graded = catch_unwind(AssertUnwindSafe(|| self.graded(submission, cell)));
         let graded = graded.unwrap_or_else(|panic| {
             let words = super::subject::panic_text(panic.as_ref());
-            Graded::without(self, submission, Status::Failed, ("the grader failed", &format!("farop itself failed: {words}")))
+            Graded::without(
+                self,
+                submission,
+                Status::Failed,
+                ("the grader failed", &format!("farop itself failed: {words}")),
+            )
         });
         saved::saved(&graded, submission, (self, fingerprint))
     }
@@ -145,7 +156,8 @@ impl Class<'_> {
             built => {
                 let subject = Confined::new(built, self.sandbox, cell);
                 let verdict = grade(&subject, &request, &mut |_| ());
-                let causes = verdict.aspects.iter().map(|aspect| causes::of(aspect, &verdict, Some(&subject))).collect();
+                let causes =
+                    verdict.aspects.iter().map(|aspect| causes::of(aspect, &verdict, Some(&subject))).collect();
                 (verdict, causes)
             }
         };

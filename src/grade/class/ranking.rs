@@ -202,7 +202,8 @@ mod tests {
             verdict("d", [(0.9, "corner"), (1.0, "")]),
         ];
         let class = class(&all, &json!({"lab": "x"}));
-        let names: Vec<_> = class["causes"].as_array().expect("a list").iter().map(|cause| text(cause, "cause")).collect();
+        let names: Vec<_> =
+            class["causes"].as_array().expect("a list").iter().map(|cause| text(cause, "cause")).collect();
         assert_eq!(names, ["corner", "time-out"]);
         assert_eq!((&class["causes"][0]["points_lost"], &class["causes"][0]["kind"]), (&json!(6.0), &json!("named")));
         assert_eq!((&class["points"]["median"], &class["points"]["passed"]), (&json!(17.0), &json!(1)));

@@ -60,7 +60,8 @@ pub fn roster(folder: &Path) -> Result<Vec<Submission>, String> {
     let mut all: Vec<_> = entries.iter().map(|(name, path)| submission((name, path), &students, common)).collect();
     give_keys(&mut all);
     // Moodle makes two folders of a student who sent a file and a text: the file is it.
-    let with_file: Vec<_> = all.iter().filter(|one| moodle(&one.source).is_some_and(|found| found.2)).cloned().collect();
+    let with_file: Vec<_> =
+        all.iter().filter(|one| moodle(&one.source).is_some_and(|found| found.2)).cloned().collect();
     let is_second = |one: &Submission| {
         let is_text = moodle(&one.source).is_some_and(|found| !found.2);
         is_text && with_file.iter().any(|file| file.id == one.id)
@@ -185,7 +186,10 @@ mod tests {
     fn classroom_names_begin_alike() {
         let all = named(&["lab-zbuffer-ana-silva", "lab-zbuffer-rui", "lab-zbuffer-zoe"], "");
         assert_eq!(all[0], one("ana-silva", "ana-silva", "classroom"));
-        assert_eq!(named(&["ana-silva", "rui"], ""), [one("ana-silva", "ana-silva", "folder"), one("rui", "rui", "folder")]);
+        assert_eq!(
+            named(&["ana-silva", "rui"], ""),
+            [one("ana-silva", "ana-silva", "folder"), one("rui", "rui", "folder")]
+        );
     }
 
     #[cfg(unix)]

@@ -21,7 +21,8 @@ pub fn worksheet(verdicts: &[Value]) -> String {
     for verdict in verdicts {
         let about = &verdict["submission"];
         let text = |key: &str| about[key].as_str().unwrap_or_default();
-        let participant = if about["origin"] == "moodle" { format!("Participant {}", text("id")) } else { text("id").to_string() };
+        let participant =
+            if about["origin"] == "moodle" { format!("Participant {}", text("id")) } else { text("id").to_string() };
         let number = |key: &str| format!("{:.2}", verdict[key].as_f64().unwrap_or(0.0));
         let cells = [
             words(&participant),
@@ -59,7 +60,8 @@ fn feedback(verdict: &Value) -> String {
         let text = |key: &str| aspect[key].as_str().unwrap_or_default().to_string();
         let (points, most) = (aspect["points"].as_f64().unwrap_or(0.0), aspect["most"].as_f64().unwrap_or(0.0));
         if points < most {
-            let said = if text("verdict") == "follows" { format!("follows from: {}", text("cause")) } else { text("short") };
+            let said =
+                if text("verdict") == "follows" { format!("follows from: {}", text("cause")) } else { text("short") };
             out += &format!("<li>{} ({points:.1} of {most}): {}</li>", escaped(&text("name")), escaped(&said));
         }
     }

@@ -60,10 +60,7 @@ pub(super) fn remark(bytes: &[u8]) -> Option<String> {
 }
 
 /// The pictures in `bytes` with their remarks, one of each of `sizes`; `None` unless exactly these are there.
-pub(super) fn read_all(
-    bytes: &[u8],
-    sizes: impl Iterator<Item = (u32, u32)>,
-) -> Option<Vec<(Image, Option<String>)>> {
+pub(super) fn read_all(bytes: &[u8], sizes: impl Iterator<Item = (u32, u32)>) -> Option<Vec<(Image, Option<String>)>> {
     let mut rest = bytes;
     let mut next = |size: (u32, u32)| {
         let picture = rest.trim_ascii_start();

@@ -135,4 +135,3 @@ impl Lent {
         self.names.iter().fold(text.to_string(), rename).into()
     }
 }
-
