@@ -129,7 +129,7 @@ impl Painter {
         let puts = draw_into(&self.list, rasterizer, &canvas, (&mut self.frame, &mut self.image)).puts;
         let raster = milliseconds(start);
         let start = Instant::now();
-        self.image.encode_into(choices.encoding, &mut self.levels);
+        self.image.encode_into(choices.encoding, choices.threads.unwrap_or(1), &mut self.levels);
         Ok(Times { geometry, raster, levels: milliseconds(start), puts, polygons: self.list.len() })
     }
 
