@@ -103,7 +103,6 @@ struct Times {
     raster: f64,
     levels: f64,
     puts: u64,
-    polygons: usize,
 }
 
 impl Painter {
@@ -129,8 +128,8 @@ impl Painter {
         let puts = draw_into(&self.list, rasterizer, &canvas, (&mut self.frame, &mut self.image)).puts;
         let raster = milliseconds(start);
         let start = Instant::now();
-        self.image.encode_into(choices.encoding, choices.threads.unwrap_or(1), &mut self.levels);
-        Ok(Times { geometry, raster, levels: milliseconds(start), puts, polygons: self.list.len() })
+        self.image.encode_into(choices.encoding, threads, &mut self.levels);
+        Ok(Times { geometry, raster, levels: milliseconds(start), puts })
     }
 
     fn save(&self, path: &Path) -> Result<(), Failure> {
