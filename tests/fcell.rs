@@ -85,7 +85,7 @@ fn cell(head: &Head, index: [i32; 2], random: &mut Random) -> Cell {
         .map(|number| {
             let years: Vec<Option<i32>> =
                 [vec![None], vec![Some(2011)], vec![Some(-5), Some(2018), Some(2026)]][random.below(3)].clone();
-            let mut spread =
+            let spread =
                 |random: &mut Random| Spread { mean: random.between(1.0, 30.0), deviation: random.between(0.0, 3.0) };
             let states = years.into_iter().map(|year| StandState {
                 year,

@@ -1,13 +1,16 @@
-//! `farop convert`: scenes as one file, by its ending: NFF, polygons in world coordinates; or SIPP, the tree as it is.
+//! `farop convert`: scenes as one file, by its ending: NFF, polygons in world coordinates; or SIPP, the tree as it is; areas of forest as text or pack.
 
-use super::error::{CliError, notice};
+use super::error::{self, CliError, notice};
 use super::options::PictureOptions;
 use super::scenes::{SceneOptions, make_plan};
+use crate::diagnostic::Diagnostics;
+use crate::forest::pack::write_cells;
 use crate::geometry::flatten;
-use crate::image::save::{SaveError, WholeFile};
-use crate::write::{write_nff, write_sipp};
+use crate::image::save::{SaveError, WholeFile, write_streamed};
+use crate::parse::{Format, load_cells};
+use crate::write::{write_fcell, write_nff, write_sipp};
 use clap::Args;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Scenes as one file: NFF (polygons in world coordinates) or SIPP
 #[derive(Args)]
@@ -17,7 +20,7 @@ use std::path::PathBuf;
 pub(super) struct ConvertCommand {
     #[command(flatten)]
     scenes: SceneOptions,
-    /// File to write: FILE.nff, FILE.sipp, or `-`: NFF on standard output
+    /// File to write: FILE.nff, FILE.sipp, or `-`: NFF on standard output; of an area also FILE.fcell, FILE.fpack
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
     #[command(flatten)]
@@ -26,6 +29,9 @@ pub(super) struct ConvertCommand {
 
 impl ConvertCommand {
     pub fn run(self) -> Result<(), CliError> {
+        if let Some(format @ (Format::Fcell | Format::Fpack)) = Format::of_path(&self.output) {
+            return self.area(format);
+        }
         let loaded = self.scenes.load(&self.picture)?;
         let plan = make_plan(&loaded.scene, &self.picture, None)?;
         // NFF has neither tree nor most shapes; in `.sipp` both stay, unless triangles are asked for.
@@ -47,6 +53,26 @@ impl ConvertCommand {
         };
         let format = if is_sipp { "SIPP" } else { "NFF" };
         lost.iter().for_each(|text| notice(&format!("not in the {format} file: {text}")));
+        Ok(())
+    }
+
+    /// An area of forest stays one: text becomes a pack and a pack text, cell by cell.
+    fn area(self, format: Format) -> Result<(), CliError> {
+        let [name] = self.scenes.scenes.as_slice() else {
+            return Err(CliError::failed("areas of forest do not merge: convert one at a time"));
+        };
+        let diagnosed = |errors: Diagnostics| CliError::Diagnosed(errors.render(error::stderr_has_color()));
+        let (cells, notices) = load_cells(Path::new(name)).map_err(diagnosed)?;
+        if !notices.is_empty() {
+            error::diagnose(&notices.render(error::stderr_has_color()));
+        }
+        if format == Format::Fcell {
+            let written = write_streamed(&self.output, |out| write_fcell(&cells, out));
+            return written.map_err(CliError::from);
+        }
+        let counts = write_cells(&cells, &self.output);
+        let counts = counts.map_err(CliError::failed)?;
+        notice(&format!("{} cells, {} bytes; the largest cell has {}", counts.cells, counts.bytes, counts.largest));
         Ok(())
     }
 }

@@ -20,7 +20,7 @@ pub(super) struct SceneOptions {
     #[arg(required = true, value_name = "SCENE")]
     pub scenes: Vec<String>,
     /// Format of standard input and of unknown endings
-    #[arg(long, value_name = "FORMAT", value_parser = ["nff", "sipp", "ftri"])]
+    #[arg(long, value_name = "FORMAT", value_parser = ["nff", "sipp", "ftri", "fcell"])]
     format: Option<String>,
     /// file, or auto: turn polygons round whose normals point the other way
     #[arg(long, value_name = "RULE", default_value = "file", value_parser = ["file", "auto"])]

@@ -53,8 +53,7 @@ pub(in crate::cli) struct New {
 /// The area in a file: text or pack, told by its name.
 pub(super) fn open(path: &Path) -> Result<Cells, CliError> {
     let loaded = parse::load_cells(path);
-    let (cells, notices) =
-        loaded.map_err(|errors| CliError::Diagnosed(errors.render(error::stderr_has_color())))?;
+    let (cells, notices) = loaded.map_err(|errors| CliError::Diagnosed(errors.render(error::stderr_has_color())))?;
     if !notices.is_empty() {
         error::diagnose(&notices.render(error::stderr_has_color()));
     }

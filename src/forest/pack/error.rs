@@ -17,7 +17,7 @@ pub enum PackError {
         source: std::io::Error,
     },
     /// It begins otherwise than packs do.
-    #[error("`{}` is no pack: expected the bytes of `FPACK` at its start; make one with `farop convert AREA.fcell {}`", path.display(), path.display())]
+    #[error("`{}` is no pack: expected the bytes of `FPACK` at its start; make one with `farop convert AREA.fcell -o {}`", path.display(), path.display())]
     NotAPack {
         /// The file.
         path: PathBuf,

@@ -32,7 +32,7 @@ mod stand;
 mod write;
 
 pub use error::PackError;
-pub use write::{PackCounts, write};
+pub use write::{PackCounts, write, write_cells};
 
 use super::area::{Cell, CellIndex, Head};
 use flate2::Crc;

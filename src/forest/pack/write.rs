@@ -7,7 +7,7 @@
 
 use super::{ENTRY, MAGIC, MOST_CELL_BYTES, MOST_PLACES, PackError, START, cell, crc, head};
 use crate::forest::area::{Cell, CellIndex, Head};
-use crate::forest::cells::bounds;
+use crate::forest::cells::{Cells, bounds};
 use crate::image::save::{SaveError, WholeFile};
 use std::fs::File;
 use std::io::{BufReader, BufWriter, Read, Seek, SeekFrom, Write, copy};
@@ -37,6 +37,23 @@ struct Spooled {
 /// # Errors
 /// [`PackError`]: the file cannot be written, a cell comes twice or cannot be packed, or cells are too far apart for one index.
 pub fn write(head: &Head, cells: impl IntoIterator<Item = Cell>, path: &Path) -> Result<PackCounts, PackError> {
+    write_all(head, cells.into_iter().map(Ok), path)
+}
+
+/// As [`write`], for all cells of an area, in memory or packed: each is loaded when its turn comes.
+///
+/// # Errors
+/// As [`write`], and when a cell cannot be loaded.
+pub fn write_cells(cells: &Cells, path: &Path) -> Result<PackCounts, PackError> {
+    let all = cells.indices().into_iter().filter_map(|index| cells.load(index).transpose());
+    write_all(cells.head(), all, path)
+}
+
+fn write_all(
+    head: &Head,
+    cells: impl Iterator<Item = Result<Cell, PackError>>,
+    path: &Path,
+) -> Result<PackCounts, PackError> {
     let unpackable = |what: String| PackError::Unpackable { index: None, what };
     let head_bytes = head::encode(head).map_err(unpackable)?;
     // The target comes first: a folder that is not there is told before an hour of packing.
@@ -113,12 +130,13 @@ impl Layout {
 /// Writes all cells as they come, and remembers where.
 fn spooled(
     head: &Head,
-    cells: impl IntoIterator<Item = Cell>,
+    cells: impl Iterator<Item = Result<Cell, PackError>>,
     spool: &mut BufWriter<File>,
     path: &Path,
 ) -> Result<Vec<Spooled>, PackError> {
     let (mut entries, mut offset) = (Vec::new(), 0);
     for cell in cells {
+        let cell = cell?;
         let index = cell.index;
         let unpackable = |what: String| PackError::Unpackable { index: Some(index), what };
         let bytes = cell::encode(head, &cell).map_err(unpackable)?;

@@ -41,12 +41,7 @@ impl Reader<'_> {
         if let Some(found) = flaw(&rings) {
             return Err(told(number, &found, &spans));
         }
-        // One direction for all: who reads an area need not ask.
-        for (index, ring) in rings.iter_mut().enumerate() {
-            if is_counterclockwise(ring) != (index == 0) {
-                ring[1..].reverse();
-            }
-        }
+        in_one_direction(&mut rings);
         let outer = rings.remove(0);
         self.opened()?.cell.patches.push(Patch { owner, outer, holes: rings, place });
         Ok(())
@@ -78,6 +73,15 @@ impl Reader<'_> {
             return Err(error.at(declared, "the last corner is the first one again").help("rings close by themselves"));
         }
         Ok(ring)
+    }
+}
+
+/// Outlines counterclockwise, holes clockwise: who reads an area need not ask.
+fn in_one_direction(rings: &mut [Vec<[f64; 2]>]) {
+    for (index, ring) in rings.iter_mut().enumerate() {
+        if is_counterclockwise(ring) != (index == 0) {
+            ring[1..].reverse();
+        }
     }
 }
 
