@@ -24,8 +24,6 @@ mod choices;
 mod dress;
 mod land;
 mod sink;
-#[cfg(test)]
-mod tests;
 mod trees;
 
 pub use choices::{Choices, FrameCounts, FrameError, GroundLook, Trees};

@@ -20,6 +20,9 @@ use crate::forest::terrain::relief::distance_to_cell;
 use crate::forest::window::{Grove, SQUARES, Stock, Stocked};
 use crate::math::{Vec3, cos, sin};
 
+/// Metres; wider crowns may be cut where their square is out of view.
+const WIDEST_CROWN: f64 = 24.0;
+
 /// Who looks.
 #[derive(Clone, Copy)]
 pub(super) struct Eye {
@@ -80,11 +83,12 @@ impl Planter<'_> {
         let corner = self.head.corner(index);
         let range = self.terrain.range(index).unwrap_or((0.0, 0.0));
         let (center, radius) = crate::forest::frustum::sphere([corner.x, corner.y], side, range);
-        if all == 0 || distance > self.choices.horizon || !self.eye.frustum.sees(center, radius + 20.0) {
+        let reach = self.reach(distance + 2.0 * side);
+        if all == 0 || distance > self.choices.horizon || !self.eye.frustum.sees(center, radius + reach) {
             counts.out_of_view += all;
             return;
         }
-        if order.horizon.hides(Square { corner: [corner.x, corner.y], side }.widened(), range.1) {
+        if order.horizon.hides(Square { corner: [corner.x, corner.y], side }.widened(reach), range.1 + reach) {
             counts.hidden += all;
             return;
         }
@@ -100,8 +104,14 @@ impl Planter<'_> {
         for &(_, at) in &order.squares {
             let grove = stocked.grove(at);
             let square = Square { corner: self.place(corner, step, at), side: step };
-            self.grove(stocked, &grove, square, &order.horizon, &sizes, (sink, counts));
+            self.grove(stocked, &grove, (square, reach), &order.horizon, &sizes, (sink, counts));
         }
+    }
+
+    /// Metres that trees may be drawn beyond the place of their feet and tops: crowns, and those that stand for others, which are drawn
+    /// up to [`detail::SINGLE`] pixels high and perhaps twice as wide.
+    fn reach(&self, farthest: f64) -> f64 {
+        WIDEST_CROWN / 2.0 + 2.0 * detail::SINGLE * farthest / self.eye.focal
     }
 
     fn place(&self, corner: Vec3, step: f64, at: usize) -> [f64; 2] {
@@ -112,7 +122,7 @@ impl Planter<'_> {
         &self,
         stocked: &Stocked,
         grove: &Grove<'_>,
-        square: Square,
+        (square, reach): (Square, f64),
         horizon: &Horizon,
         sizes: &Sizes<'_>,
         (sink, counts): (&mut Sink, &mut FrameCounts),
@@ -120,17 +130,16 @@ impl Planter<'_> {
         let all = grove.trees.len() as u64;
         let (center, radius) =
             crate::forest::frustum::sphere(square.corner, square.side, (grove.range[0], grove.range[1]));
-        // Crowns reach beyond their square, and trees that stand for others are larger.
-        let radius = radius + 10.0;
+        let radius = radius + reach;
         if !self.eye.frustum.sees(center, radius) {
             counts.out_of_view += all;
             return;
         }
-        if horizon.hides(square.widened(), grove.range[1]) {
+        if horizon.hides(square.widened(reach), grove.range[1] + reach) {
             counts.hidden += all;
             return;
         }
-        let is_inside = self.eye.frustum.holds(center, radius + 10.0);
+        let is_inside = self.eye.frustum.holds(center, radius);
         let corner = self.head.corner(stocked.cell.index);
         let before = counts.submitted;
         for &tree in grove.trees {
@@ -241,7 +250,7 @@ struct Drawn<'a> {
 
 impl Square {
     /// With the crowns that reach beyond it.
-    fn widened(self) -> Square {
-        Square { corner: self.corner.map(|at| at - 8.0), side: self.side + 16.0 }
+    fn widened(self, reach: f64) -> Square {
+        Square { corner: self.corner.map(|at| at - reach), side: self.side + 2.0 * reach }
     }
 }

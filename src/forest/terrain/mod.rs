@@ -16,8 +16,6 @@
 pub mod horizon;
 pub mod relief;
 mod survey;
-#[cfg(test)]
-pub(super) mod tests;
 
 pub use survey::TerrainError;
 
