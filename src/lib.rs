@@ -15,7 +15,7 @@
 //! | [`diagnostic`], [`report`] | messages with places; counts and times |
 //! | [`scene`] | the tree of objects, surfaces, lights, the camera |
 //! | [`model`], [`spd`] | shapes as polygons; the standard procedural databases |
-//! | [`forest`] | grids of heights, reliefs of few triangles; areas of forest, cell by cell; trees and their pictures |
+//! | [`forest`] | grids of heights, reliefs of few triangles; areas of forest, stands, trees, and what an observer sees of them |
 //! | [`parse`], [`write`](mod@write) | NFF and SIPP scenes and areas of forest in and out; grids of heights in |
 //! | [`plan`] | what the scene needs and what the user chose |
 //! | [`screen`] | screen polygons, planes, lights and reflection models, screen files |
