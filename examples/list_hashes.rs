@@ -14,7 +14,7 @@ mod random;
 #[path = "../tests/support/scenes.rs"]
 mod scenes;
 
-use farop::geometry::{Trace, run_traced};
+use farop::geometry::{Stage, Trace, run_traced};
 use farop::math::Vec3;
 use farop::plan::{
     Accepts, Choices, ClipLight, Culling, DepthFormat, EXACT_SUBPIXELS, FlatRule, Interpolation, NeedsMode, Plan,
@@ -140,6 +140,7 @@ fn random_scenes() -> Vec<(String, Scene)> {
 }
 
 fn main() {
+    let mut triangles = 0;
     let mut all = random_scenes();
     for (name, size) in SMALL {
         all.push((name.to_string(), built_in::built_in(name, size, Curves::Kept)));
@@ -157,8 +158,13 @@ fn main() {
             let mut untraced = DrawList::new(0, 0);
             let again = farop::geometry::run(scene, &plan, &mut untraced);
             assert!(counts == again && hash_of(&list) == hash_of(&untraced), "tracing changes nothing");
+            let mut shared = DrawList::new(0, 0);
+            let shared_counts = Stage::sharing(true).run(scene, &plan, &mut shared);
+            triangles += shared.shared.len();
+            assert!(counts == shared_counts && hash_of(&list) == hash_of(shared.whole()), "sharing changes nothing");
             let (bits, traced) = (hash_of(&list), hash_of_trace(&trace));
             println!("{name}, {number} {variant}: {} {bits:016x} {traced:016x} {counts:?}", list.len());
         }
     }
+    eprintln!("{triangles} triangles were shared");
 }

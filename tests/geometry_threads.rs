@@ -4,10 +4,10 @@ mod support;
 
 use farop::geometry::{Stage, run};
 use farop::math::{Affine3, Vec3};
-use farop::plan::{Accepts, Choices, ClipLight, Culling, Interpolation, Plan, Shading};
+use farop::plan::{Accepts, Choices, ClipLight, Culling, DepthFormat, FlatRule, Interpolation, Plan, Shading};
 use farop::report::Counts;
 use farop::scene::{Material, NormalSource, Object, ObjectId, Place, Scene, SurfaceId};
-use farop::screen::DrawList;
+use farop::screen::{DrawList, Whole};
 use farop::spd::Curves;
 use support::built_in::built_in;
 use support::mixed::Mix;
@@ -106,4 +106,63 @@ fn a_stage_remembers_nothing_but_its_memory() {
             }
         }
     }
+}
+
+#[test]
+fn shared_triangles_are_whole_as_those_of_everybody_else() {
+    let made = large_and_small();
+    let shapes = built_in("balls", 2, Curves::Kept);
+    let colored = colored_flake();
+    let phong = Choices { shading: Shading::Phong, culling: Culling::None, ..Choices::default() };
+    let all = [
+        (&made, "gouraud", Choices::default(), true),
+        (&made, "phong", phong.clone(), true),
+        (&made, "flat", Choices { shading: Shading::Flat, ..Choices::default() }, true),
+        (
+            &made,
+            "flat by vertices",
+            Choices { shading: Shading::Flat, flat: FlatRule::Vertex, ..Choices::default() },
+            true,
+        ),
+        (&made, "on screen", Choices { interpolation: Interpolation::Screen, ..Choices::default() }, true),
+        (&shapes, "shapes", Choices { tolerance: 0.02, ..Choices::default() }, true),
+        (&colored, "colors", Choices::default(), true),
+        (&colored, "colors, phong", phong, true),
+        (&made, "relight", Choices { clip_light: ClipLight::Relight, ..Choices::default() }, false),
+        (&made, "SIPP's flat", Choices { shading: Shading::Flat, flat: FlatRule::Sipp, ..Choices::default() }, false),
+        (&made, "wire", Choices { shading: Shading::Wire, ..Choices::default() }, false),
+        (&made, "f64", Choices { depth: DepthFormat::F64, ..Choices::default() }, false),
+        (&made, "finer grid", Choices { subpixel_bits: 9, ..Choices::default() }, false),
+    ];
+    let (mut stage, mut list) = (Stage::sharing(true), DrawList::new(0, 0));
+    for (scene, name, choices, shares) in all {
+        for threads in [1, 3] {
+            let plan = plan(scene, &choices, threads);
+            let known = of(scene, &plan);
+            let counts = stage.run(scene, &plan, &mut list);
+            assert_eq!(list.shared.is_empty(), !shares, "{name}");
+            let mut room = Whole::default();
+            for index in (0..known.0.len()).step_by(7) {
+                let (one, other) = (list.polygon_in(index, &mut room), known.0.polygon(index));
+                assert_eq!(
+                    (one.vertices(), one.depth_plane()),
+                    (other.vertices(), other.depth_plane()),
+                    "{name}: {index}"
+                );
+                assert_eq!(one.varying_planes(), other.varying_planes(), "{name}: {index}");
+                assert_eq!((one.vertex_values(2), one.surface()), (other.vertex_values(2), other.surface()), "{name}");
+            }
+            assert_same(&known, &(list.whole().clone(), counts), &format!("{name}, {threads} threads"));
+        }
+    }
+}
+
+/// Triangles with a color at every vertex.
+fn colored_flake() -> Scene {
+    let mut triangles = farop::spd::bench::triangles("flake:10k").expect("it is built in");
+    let count = triangles.colors.len();
+    for (number, color) in triangles.colors.iter_mut().enumerate() {
+        color[number % 3] = number as f32 / count as f32;
+    }
+    farop::parse::scene_of_triangles("colors", &triangles).expect("a camera").scene
 }

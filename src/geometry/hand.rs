@@ -10,13 +10,15 @@
 
 mod emit;
 
+use super::asked::Asked;
 use super::clip::{ClipVertex, Clipper};
 use super::cull::Survivor;
 use super::light::LightWork;
 use super::project::{Corner, Triangles};
 use super::tessellate::Tessellator;
-use super::walk::{Asked, EyeMesh};
+use super::walk::EyeMesh;
 use super::{EyePolygon, Facing, Part, Setting, Task, Trace, split};
+use crate::color::Rgb;
 use crate::math::Vec3;
 use crate::plan::{ClipPlane, Culling};
 use crate::report::Counts;
@@ -64,8 +66,11 @@ impl Hand {
         let mut mesh = std::mem::take(&mut self.surface_mesh);
         if !task.polygons.is_empty() {
             let vertices = mesh.open(part.mesh, setting, &mut self.counts.work);
-            vertices.fill(&task.world_from_local, setting.plan);
+            vertices.fill(&task.world_from_local, setting.plan, setting.level);
         }
+        // Corners of a shape in between would come before those of the mesh.
+        mesh.shares &= task.shapes.is_empty();
+        mesh.stand_behind(&list.shared);
         let mut next = task.polygons.start;
         for number in task.shapes.clone() {
             let before = (part.surface.primitives[number].before as usize).clamp(next, task.polygons.end);
@@ -74,6 +79,9 @@ impl Hand {
             self.shape((task, part), number, setting, list);
         }
         self.polygons(part, &mut mesh, next..task.polygons.end, setting, list);
+        if !task.polygons.is_empty() {
+            mesh.hand_over(&mut list.shared);
+        }
         self.surface_mesh = mesh;
     }
 
@@ -84,9 +92,11 @@ impl Hand {
         let primitive = &of.surface.primitives[number];
         if tessellator.tessellate(primitive, &task.world_from_local, setting.plan, &mut self.counts.work) {
             let vertices = mesh.open(&tessellator.mesh, setting, &mut self.counts.work);
-            vertices.fill(&task.world_from_local, setting.plan);
+            vertices.fill(&task.world_from_local, setting.plan, setting.level);
+            mesh.stand_behind(&list.shared);
             let part = Part { mesh: &tessellator.mesh, tessellated: true, shape: number as u32, ..of };
             self.polygons(part, &mut mesh, 0..tessellator.mesh.polygons.len(), setting, list);
+            mesh.hand_over(&mut list.shared);
             // Both halves of a quad went through the loop; it was one polygon of the shape.
             self.counts.nonplanar += tessellator.nonplanar;
             self.counts.tessellated.polygons -= tessellator.nonplanar;
@@ -110,17 +120,26 @@ impl Hand {
             survivors.reserve(AT_ONCE);
             self.cull(part, mesh, start..(start + AT_ONCE).min(range.end), setting, &mut survivors);
             mesh.ask(part, &survivors);
-            self.compute(mesh.asked(), part, setting);
+            self.compute(mesh.asked(setting.lighting.carries_factors()), part, setting);
             self.emit((part, mesh), &survivors, setting, list);
         }
         self.survivors = survivors;
     }
 
     /// Brings to the screen and lights what survivors asked for.
-    pub fn compute(&mut self, asked: Asked<'_>, part: Part<'_>, setting: &Setting<'_>) {
-        let of = (part, setting.shader);
-        let light = |vertex, point| setting.lighting.vertex_light(of, vertex, point, &mut self.light);
-        asked.compute(setting.projector, light);
+    pub fn compute(&mut self, mut asked: Asked<'_>, part: Part<'_>, setting: &Setting<'_>) {
+        let lighting = setting.lighting;
+        asked.project(setting.projector, setting.level);
+        let factor = |vertex| lighting.factor(part, vertex).unwrap_or(Rgb::WHITE).to_array();
+        asked.keep_factors(factor);
+        if lighting.carries_normals() {
+            return asked.keep_normals();
+        }
+        // A mesh has a color for every vertex or none.
+        let factor: Option<&dyn Fn(u32) -> [f64; 3]> = if part.mesh.colors.is_empty() { None } else { Some(&factor) };
+        let (vertices, powers) = asked.light((setting.shader, part.shading), factor, setting.level);
+        self.light.vertices += vertices;
+        self.light.powers += powers;
     }
 
     /// Adds to `counts`, and to the shader's, what was counted since the last time.

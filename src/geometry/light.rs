@@ -120,9 +120,14 @@ impl Lighting {
         self.needed && !self.is_one_color() && !self.carries_normals()
     }
 
+    /// Whether corners carry factors on the color beside what varies.
+    pub fn carries_factors(&self) -> bool {
+        self.carries_factors
+    }
+
     /// What the color of the surface is multiplied with at a vertex, if the mesh says so; linear light.
     #[inline]
-    fn factor(&self, part: Part<'_>, vertex: u32) -> Option<Rgb> {
+    pub fn factor(&self, part: Part<'_>, vertex: u32) -> Option<Rgb> {
         part.mesh.colors.get(vertex as usize).map(|&color| self.plan.encoding.decode(color))
     }
 
@@ -139,12 +144,17 @@ impl Lighting {
     }
 
     /// One color a polygon, by the normal of its face or of its first vertex.
-    fn is_one_color(&self) -> bool {
+    pub fn is_one_color(&self) -> bool {
         self.shading == Shading::Flat && !self.sipp_flat
     }
 
+    /// Whether triangles may be shared: light belongs to the vertices of the scene, and there is some.
+    pub fn can_share(&self) -> bool {
+        self.needed && !(self.relight || self.sipp_flat)
+    }
+
     /// Corners carry normals through clipping: light is for later.
-    fn carries_normals(&self) -> bool {
+    pub fn carries_normals(&self) -> bool {
         self.relight || self.sipp_flat || self.shading == Shading::Phong
     }
 

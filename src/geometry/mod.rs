@@ -13,12 +13,14 @@
 //! Cost: linear in vertices and polygons; nothing is allocated per polygon, vertices shared inside a surface are moved and lit once,
 //! and only those are lit that a polygon in view asks for. `docs/geometry.md` has the figures.
 
+mod asked;
 pub mod clip;
 mod cull;
+mod eight;
 mod flatten;
 mod hand;
 mod light;
-mod planes;
+mod moved;
 pub mod predicates;
 mod project;
 pub mod split;
@@ -37,7 +39,8 @@ use crate::model;
 use crate::plan::Plan;
 use crate::report::Counts;
 use crate::scene::{Mesh, Polygon, Scene, Surface, SurfaceId, Walk};
-use crate::screen::{DrawList, Shader, Source};
+use crate::screen::{DrawList, Instructions, Shader, Source};
+use fearless_simd::Level;
 use hand::Hand;
 use light::Lighting;
 use project::Projector;
@@ -86,11 +89,14 @@ pub fn run_traced(scene: &Scene, plan: &Plan, list: &mut DrawList, trace: &mut T
 /// }
 /// # assert!(list.len() > 10);
 /// ```
-#[derive(Default)]
 pub struct Stage {
     walk: Walk,
     tasks: Vec<Task>,
     crew: Crew,
+    /// Lists are for a rasterizer that reads shared triangles ([`crate::raster::Rasterizer::reads_shared`]).
+    pub shares: bool,
+    /// Instructions for vertices side by side. The list does not depend on it.
+    pub instructions: Instructions,
 }
 
 /// What all polygons of a frame have in common.
@@ -100,6 +106,10 @@ struct Setting<'a> {
     lighting: &'a Lighting,
     projector: &'a Projector,
     shader: &'a Shader,
+    /// Triangles may go into the list as shared ones.
+    shares: bool,
+    /// Instructions for vertices side by side.
+    level: Level,
 }
 
 /// A placed surface, or some of it.
@@ -134,21 +144,38 @@ const TASKS_AT_ONCE: usize = 1 << 14;
 /// Shapes of one task: few, so that threads find something to share.
 const SHAPES_AT_ONCE: usize = 16;
 
+impl Default for Stage {
+    /// With the instructions that [`crate::screen::VARIABLE`] asks for; the best if that is no name.
+    fn default() -> Self {
+        let instructions = Instructions::asked().unwrap_or_default();
+        Stage { walk: Walk::default(), tasks: Vec::new(), crew: Crew::default(), shares: false, instructions }
+    }
+}
+
 impl Stage {
+    /// A stage without memory, for a rasterizer that reads shared triangles or for one that does not
+    /// ([`crate::raster::Rasterizer::reads_shared`]).
+    #[must_use]
+    pub fn sharing(shares: bool) -> Stage {
+        Stage { shares, ..Stage::default() }
+    }
+
     /// Fills `list` with the screen polygons of `scene` under `plan`, in scene order; it is emptied first and keeps its memory.
     ///
     /// The list does not depend on the number of threads, which is [`Plan::threads`].
     pub fn run(&mut self, scene: &Scene, plan: &Plan, list: &mut DrawList) -> Counts {
         let (projector, lighting) = (Projector::new(plan), Lighting::new(plan));
         projector.prepare(plan, list);
+        let shares = self.shares && lighting.can_share() && projector.share(plan, list);
         let mut shader = std::mem::take(&mut list.shader);
         let mut wardrobe = Wardrobe::new(plan, std::mem::take(&mut shader.textures));
         lighting.prepare(scene, plan, &mut shader);
         wardrobe.prepare(scene, plan, &mut shader);
         let mut counts = Counts::default();
-        let Stage { walk, tasks, crew } = self;
+        let level = self.instructions.level();
+        let Stage { walk, tasks, crew, .. } = self;
         let mut work = |tasks: &mut Vec<Task>, shader: &Shader| {
-            let setting = Setting { scene, plan, lighting: &lighting, projector: &projector, shader };
+            let setting = Setting { scene, plan, lighting: &lighting, projector: &projector, shader, shares, level };
             crew.work(tasks, &setting, list);
             tasks.clear();
         };

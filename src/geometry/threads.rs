@@ -13,7 +13,7 @@ use super::cull::Survivor;
 use super::hand::Hand;
 use super::walk::EyeMesh;
 use super::{Setting, Task};
-use crate::screen::{DrawList, PolygonRecord};
+use crate::screen::{DrawList, OWN, PolygonRecord, Shared, SharedTriangle};
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
@@ -73,7 +73,7 @@ impl Crew {
         share(&mut hands[..threads], groups.into_iter().zip(targets).collect(), |hand, (group, list)| {
             group.iter().for_each(|task| hand.task(task, setting, list));
         });
-        join(list, lists);
+        join(list, lists, Corners::InParts);
     }
 
     /// One large surface: each step is done by all threads, a range each.
@@ -84,8 +84,9 @@ impl Crew {
         let Crew { hands, lists, mesh, survivors } = self;
         let (hands, survivors) = (&mut hands[..threads], &mut survivors[..threads]);
         // Vertices.
+        mesh.stand_behind(&list.shared);
         let vertices = mesh.open(part.mesh, setting, &mut hands[0].counts.work).parts(threads);
-        share(hands, vertices, |_, range| range.fill(&task.world_from_local, setting.plan));
+        share(hands, vertices, |_, range| range.fill(&task.world_from_local, setting.plan, setting.level));
         // Culling; then, in the order of the polygons, what the survivors ask for.
         let shared: &EyeMesh = mesh;
         let ranges = even(&task.polygons, threads).zip(survivors.iter_mut()).collect();
@@ -94,7 +95,8 @@ impl Crew {
             hand.cull(part, shared, range, setting, survivors);
         });
         survivors.iter().for_each(|survivors| mesh.ask(part, survivors));
-        share(hands, mesh.asked().parts(threads), |hand, asked| hand.compute(asked, part, setting));
+        let asked = mesh.asked(setting.lighting.carries_factors());
+        share(hands, asked.parts(threads), |hand, asked| hand.compute(asked, part, setting));
         // Light, clipping, splitting, projecting.
         let shared: &EyeMesh = mesh;
         let lists = &mut lists[..threads - 1];
@@ -102,7 +104,8 @@ impl Crew {
         share(hands, parts, |hand, (survivors, list): (&Vec<_>, &mut DrawList)| {
             hand.emit((part, shared), survivors, setting, list);
         });
-        join(list, lists);
+        join(list, lists, Corners::Together);
+        mesh.hand_over(&mut list.shared);
     }
 }
 
@@ -152,24 +155,57 @@ fn groups(tasks: &[Task], count: usize) -> Vec<&[Task]> {
     groups
 }
 
+/// Where corners of shared triangles are.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Corners {
+    /// In the lists of the parts, as theirs.
+    InParts,
+    /// In a mesh that all parts have in common.
+    Together,
+}
+
 /// Appends `parts` to `list`, its arrays side by side.
-fn join(list: &mut DrawList, parts: &[DrawList]) {
-    let DrawList { vertices, values, planes, polygons, .. } = list;
-    let (mut first_vertex, mut first_plane) = (vertices.len() as u32, planes.len() as u32);
+fn join(list: &mut DrawList, parts: &[DrawList], corners: Corners) {
+    let DrawList { vertices, values, planes, polygons, shared, .. } = list;
+    let mut first = [vertices.len(), planes.len(), shared.triangles.len()].map(|length| length as u32);
     std::thread::scope(|scope| {
-        scope.spawn(move || {
-            parts.iter().for_each(|part| planes.extend_from_slice(&part.planes));
-            parts.iter().for_each(|part| values.extend_from_slice(&part.values));
-        });
+        if parts.iter().any(|part| !part.vertices.is_empty()) {
+            scope.spawn(move || {
+                parts.iter().for_each(|part| planes.extend_from_slice(&part.planes));
+                parts.iter().for_each(|part| values.extend_from_slice(&part.values));
+            });
+        }
         parts.iter().for_each(|part| vertices.extend_from_slice(&part.vertices));
         for part in parts {
-            polygons.extend(part.polygons.iter().map(|record| PolygonRecord {
-                first_vertex: record.first_vertex + first_vertex,
-                first_plane: record.first_plane + first_plane,
-                ..*record
+            polygons.extend(part.polygons.iter().map(|record| match record.is_shared() {
+                true => PolygonRecord { first_vertex: record.first_vertex + first[2], ..*record },
+                false => PolygonRecord {
+                    first_vertex: record.first_vertex + first[0],
+                    first_plane: record.first_plane + first[1],
+                    ..*record
+                },
             }));
-            first_vertex += part.vertices.len() as u32;
-            first_plane += part.planes.len() as u32;
+            join_shared(shared, &part.shared, corners);
+            let lengths = [part.vertices.len(), part.planes.len(), part.shared.triangles.len()];
+            first = [0, 1, 2].map(|array| first[array] + lengths[array] as u32);
         }
     });
+}
+
+/// Appends the shared triangles of a part, and what belongs to them.
+fn join_shared(shared: &mut Shared, part: &Shared, corners: Corners) {
+    let own = shared.own.light.len() as u32;
+    let before = match corners {
+        Corners::InParts => [shared.places.len() as u32, shared.of_vertices.light.len() as u32],
+        Corners::Together => [0; 2],
+    };
+    let value = |value: u32| if value & OWN != 0 { value + own } else { value + before[1] };
+    shared.triangles.extend(part.triangles.iter().map(|triangle| SharedTriangle {
+        corners: triangle.corners.map(|corner| corner + before[0]),
+        values: triangle.values.map(value),
+    }));
+    shared.places.extend_from_slice(&part.places);
+    shared.corners.extend_from_slice(&part.corners);
+    shared.of_vertices.append(&part.of_vertices);
+    shared.own.append(&part.own);
 }

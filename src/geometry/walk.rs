@@ -11,15 +11,17 @@
 //!
 //! Space: local -> world -> (world - eye) -> eye space, in f64.
 
+use super::asked::Asked;
 use super::cull::Survivor;
 use super::project::{Projector, Ready};
-use super::{Part, Setting};
+use super::{Part, Setting, moved};
 use crate::math::{Affine3, Mat3, Vec3, unit};
 use crate::model;
-use crate::plan::{FlatRule, NeedsMode, Plan, Shading, View};
+use crate::plan::{FlatRule, NeedsMode, Plan, Shading};
 use crate::report::Work;
 use crate::scene::{Mesh, NormalSource};
-use crate::screen::EdgeKind;
+use crate::screen::{EdgeKind, Shared, SharedCorner};
+use fearless_simd::Level;
 
 /// The vertices of a [`Mesh`] in eye space.
 #[derive(Default)]
@@ -35,6 +37,14 @@ pub(super) struct EyeMesh {
     asked: Vec<u32>,
     /// They, made ready, as far as it is done.
     ready: Vec<Ready>,
+    /// In place of that, where triangles are shared: what shared triangles are made of.
+    places: Vec<[i32; 2]>,
+    corners: Vec<SharedCorner>,
+    factors: Vec<[f64; 3]>,
+    /// Triangles of this mesh go into the list as shared ones.
+    pub shares: bool,
+    /// Corners and light that are in the list before those of this mesh.
+    before: [u32; 2],
     /// Vertices whose light is needed and the side it is needed for.
     asked_light: Vec<(u32, Side)>,
     /// Their light, as far as it has been computed.
@@ -71,16 +81,6 @@ pub(super) struct VertexRange<'a> {
     normals: &'a mut [Vec3],
 }
 
-/// Some of what was asked for: what one thread computes.
-pub(super) struct Asked<'a> {
-    positions: &'a [Vec3],
-    normals: &'a [Vec3],
-    asked: &'a [u32],
-    ready: &'a mut [Ready],
-    asked_light: &'a [(u32, Side)],
-    lit: &'a mut [[f64; 3]],
-}
-
 impl EyeMesh {
     /// Forgets the mesh before and makes room for `mesh`; its vertices are still to be filled.
     pub fn open<'a>(&'a mut self, mesh: &'a Mesh, setting: &Setting<'_>, work: &mut Work) -> VertexRange<'a> {
@@ -92,11 +92,19 @@ impl EyeMesh {
         self.normals.resize(local_normals.len(), Vec3::ZERO);
         self.slots.clear();
         self.slots.resize(count, Slot { ready: NOT_ASKED, lit: [NOT_ASKED; 2] });
-        self.lights = setting.lighting.lights_vertices() && !self.normals.is_empty();
+        // With few polygons of more corners, triangles are worth a form of their own.
+        self.shares = setting.shares && mesh.outlines.len() == 3 * mesh.polygons.len();
+        // Shared triangles know normals as others know light.
+        let lights = setting.lighting.lights_vertices() || self.shares && setting.lighting.carries_normals();
+        self.lights = lights && !self.normals.is_empty();
         // Room for all, so that nothing is copied when more are asked for; what is never asked for costs addresses, not memory.
         let lit = if self.lights { count } else { 0 };
         empty(&mut self.asked, count);
-        empty(&mut self.ready, count);
+        let [own, shared] = if self.shares { [0, count] } else { [count, 0] };
+        empty(&mut self.ready, own);
+        empty(&mut self.places, shared);
+        empty(&mut self.corners, shared);
+        empty(&mut self.factors, 0);
         empty(&mut self.asked_light, lit);
         empty(&mut self.lit, lit);
         work.vertices_transformed += count as u64;
@@ -104,6 +112,11 @@ impl EyeMesh {
         work.normals += local_normals.len() as u64;
         let (positions, codes, normals) = (&mut self.positions, &mut self.codes, &mut self.normals);
         VertexRange { vertices: &mesh.vertices, local_normals, positions, codes, normals }
+    }
+
+    /// Its corners will be behind those that are in the list now.
+    pub fn stand_behind(&mut self, shared: &Shared) {
+        self.before = [shared.places.len() as u32, shared.of_vertices.light.len() as u32];
     }
 
     /// OR and AND of the outcodes of `outline`.
@@ -150,20 +163,36 @@ impl EyeMesh {
         }
     }
 
-    /// What was asked for and is not computed yet.
-    pub fn asked(&mut self) -> Asked<'_> {
-        let (ready_before, lit_before) = (self.ready.len(), self.lit.len());
-        self.ready.resize(self.asked.len(), Ready::default());
+    /// What was asked for and is not computed yet; with a factor for each light, if there are any.
+    pub fn asked(&mut self, has_factors: bool) -> Asked<'_> {
+        let (ready_before, lit_before) = (self.ready.len().max(self.places.len()), self.lit.len());
+        let [own, shared] = if self.shares { [0, self.asked.len()] } else { [self.asked.len(), 0] };
+        self.ready.resize(own, Ready::default());
+        self.places.resize(shared, [0; 2]);
+        self.corners.resize(shared, SharedCorner::default());
         self.lit.resize(self.asked_light.len(), [0.0; 3]);
-        let EyeMesh { positions, normals, asked, ready, asked_light, lit, .. } = self;
-        let (asked, asked_light) = (&asked[ready_before..], &asked_light[lit_before..]);
-        Asked { positions, normals, asked, ready: &mut ready[ready_before..], asked_light, lit: &mut lit[lit_before..] }
+        self.factors.resize(if has_factors && self.shares { self.lit.len() } else { 0 }, [0.0; 3]);
+        let EyeMesh { positions, normals, asked, ready, places, corners, asked_light, lit, factors, .. } = self;
+        Asked {
+            positions,
+            normals,
+            asked: &asked[ready_before..],
+            ready: ready.get_mut(ready_before..).unwrap_or_default(),
+            places: places.get_mut(ready_before..).unwrap_or_default(),
+            corners: corners.get_mut(ready_before..).unwrap_or_default(),
+            asked_light: &asked_light[lit_before..],
+            lit: &mut lit[lit_before..],
+            factors: factors.get_mut(lit_before..).unwrap_or_default(),
+        }
     }
 
     /// A vertex that was asked for, made ready.
     #[inline]
-    pub fn ready(&self, vertex: u32) -> &Ready {
-        &self.ready[self.slots[vertex as usize].ready as usize]
+    pub fn ready(&self, vertex: u32, projector: &Projector) -> Ready {
+        if self.shares {
+            return projector.ready(projector.clip_space(self.positions[vertex as usize]), EdgeKind::Original);
+        }
+        self.ready[self.slots[vertex as usize].ready as usize]
     }
 
     /// The light of a vertex that was asked for.
@@ -171,6 +200,40 @@ impl EyeMesh {
     pub fn light(&self, vertex: u32, side: Side) -> [f64; 3] {
         self.lit[self.slots[vertex as usize].lit[side as usize] as usize]
     }
+
+    /// Where the corners of a shared triangle are, and their light, unless it is its own.
+    #[inline(always)]
+    pub fn shared(&self, outline: [u32; 3], side: Side) -> ([u32; 3], Option<[u32; 3]>) {
+        let slots = outline.map(|vertex| &self.slots[vertex as usize]);
+        let lit = slots.map(|slot| slot.lit[side as usize]);
+        let is_lit = self.lights && lit.iter().all(|&lit| lit != NOT_ASKED);
+        let [corners, light] = self.before;
+        (slots.map(|slot| slot.ready + corners), is_lit.then_some(lit.map(|lit| lit.wrapping_add(light))))
+    }
+
+    /// Hands the corners over to the list, behind those that are there.
+    pub fn hand_over(&mut self, shared: &mut Shared) {
+        if !self.shares {
+            return;
+        }
+        append(&mut shared.places, &mut self.places);
+        append(&mut shared.corners, &mut self.corners);
+        append(&mut shared.of_vertices.light, &mut self.lit);
+        append(&mut shared.of_vertices.factors, &mut self.factors);
+        // What was handed over is not to be looked for here.
+        self.asked.clear();
+        self.asked_light.clear();
+    }
+}
+
+/// Moves what is in `part` to the end of `all`; memory changes hands where nothing has to be copied.
+fn append<T: Copy>(all: &mut Vec<T>, part: &mut Vec<T>) {
+    if all.is_empty() {
+        std::mem::swap(all, part);
+    } else {
+        all.extend_from_slice(part);
+    }
+    part.clear();
 }
 
 /// Forgets what is in `list`, and makes room for `count`.
@@ -218,37 +281,28 @@ impl<'a> VertexRange<'a> {
     }
 
     /// Moves the vertices to eye space and computes what the plan needs of them.
-    pub fn fill(self, world_from_local: &Affine3, plan: &Plan) {
+    pub fn fill(self, world_from_local: &Affine3, plan: &Plan, level: Level) {
         let view = &plan.view;
-        for (eye, &vertex) in self.positions.iter_mut().zip(self.vertices) {
-            *eye = view.to_eye(world_from_local.transform_point3(vertex));
+        moved::positions(level, (world_from_local, view), self.vertices, self.positions);
+        if !self.codes.is_empty() {
+            moved::outcodes(level, (view, plan.needs.clip), self.positions, self.codes);
         }
-        for (code, eye) in self.codes.iter_mut().zip(&*self.positions) {
-            *code = outcode(eye, view) & plan.needs.clip;
+        if world_from_local.matrix3 == Mat3::IDENTITY {
+            // Under the identity the very same bits.
+            return moved::normals(level, view, self.local_normals, self.normals);
         }
         // Only directions matter: a normal that a singular map leaves without one is given up for the polygon's own.
-        let identity = world_from_local.matrix3 == Mat3::IDENTITY;
         let world_normals = model::normals_from(world_from_local).unwrap_or(Mat3::ZERO);
         for (normal, &local) in self.normals.iter_mut().zip(self.local_normals) {
-            *normal = view.eye_from_world * turned(local, &world_normals, identity);
+            *normal = view.eye_from_world * turned(local, &world_normals);
         }
     }
 }
 
-/// Bits of the planes that a point in eye space lies outside of.
+/// A normal in world space.
 #[inline]
-fn outcode(eye: &Vec3, view: &View) -> u8 {
-    let (kx, ky) = view.clip_from_eye();
-    // The same products as the clipper sees, so that both agree on what lies on a plane.
-    let (x, y, w) = (eye.x * kx, eye.y * ky, eye.z);
-    let outside = [w < view.hither, x < -w, x > w, y < -w, y > w, w > view.yon];
-    (0..).zip(outside).fold(0, |code, (plane, is_outside)| code | u8::from(is_outside) << plane)
-}
-
-/// A normal in world space; under the identity the very same bits.
-#[inline]
-fn turned(normal: Vec3, world_normals: &Mat3, identity: bool) -> Vec3 {
-    if identity || normal == Vec3::ZERO { normal } else { unit(*world_normals * normal).unwrap_or(Vec3::ZERO) }
+fn turned(normal: Vec3, world_normals: &Mat3) -> Vec3 {
+    if normal == Vec3::ZERO { normal } else { unit(*world_normals * normal).unwrap_or(Vec3::ZERO) }
 }
 
 impl Side {
@@ -262,32 +316,5 @@ impl Side {
     #[inline]
     pub fn turn(self, normal: Vec3) -> Vec3 {
         if self == Side::Back { -normal } else { normal }
-    }
-}
-
-impl<'a> Asked<'a> {
-    /// The same in `count` parts.
-    pub fn parts(self, count: usize) -> Vec<Asked<'a>> {
-        let Asked { positions, normals, asked, ready, asked_light, lit } = self;
-        let each = |length: usize| length.div_ceil(count).max(1);
-        let mut ready = asked.chunks(each(asked.len())).zip(ready.chunks_mut(each(asked.len())));
-        let mut lit = asked_light.chunks(each(asked_light.len())).zip(lit.chunks_mut(each(asked_light.len())));
-        let part = |_| {
-            let (asked, ready) = ready.next().unwrap_or_default();
-            let (asked_light, lit) = lit.next().unwrap_or_default();
-            Asked { positions, normals, asked, ready, asked_light, lit }
-        };
-        (0..count).map(part).collect()
-    }
-
-    /// Computes it; `light` is the light of a vertex, at a point with a normal.
-    pub fn compute(self, projector: &Projector, mut light: impl FnMut(u32, (Vec3, Vec3)) -> [f64; 3]) {
-        for (ready, &vertex) in self.ready.iter_mut().zip(self.asked) {
-            *ready = projector.ready(projector.clip_space(self.positions[vertex as usize]), EdgeKind::Original);
-        }
-        for (lit, &(vertex, side)) in self.lit.iter_mut().zip(self.asked_light) {
-            let normal = side.turn(self.normals[vertex as usize]);
-            *lit = light(vertex, (self.positions[vertex as usize], normal));
-        }
     }
 }

@@ -54,6 +54,12 @@ pub trait Rasterizer {
         Accepts::AnyPolygon
     }
 
+    /// Whether it reads shared triangles ([`DrawList::shared`]): only then lists have some. For algorithms that make planes of their
+    /// own; most leave it at that.
+    fn reads_shared(&self) -> bool {
+        false
+    }
+
     /// Draws all of `pixels` without a target: for algorithms that finish one part of the picture after the other and need no
     /// grid of samples in memory. `false`, and nothing drawn: `list` wants [`Rasterizer::draw`]. Most algorithms leave it at that.
     fn draw_pixels(&self, _list: &DrawList, _pixels: &mut Pixels<'_>) -> bool {

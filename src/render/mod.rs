@@ -8,7 +8,7 @@
 pub mod why;
 
 use crate::color::Rgb;
-use crate::geometry;
+use crate::geometry::{self, Stage};
 use crate::image::Image;
 use crate::plan::{Accepts, Choices, Plan, PlanError, Transparency};
 use crate::raster::{Frame, Pixels, PutCounts, Rasterizer};
@@ -27,7 +27,7 @@ pub struct Rendered {
     pub image: Image,
     /// What was needed and chosen.
     pub plan: Plan,
-    /// What the rasterizer was given.
+    /// What the rasterizer was given; [`DrawList::whole`] has all of it in its arrays.
     pub list: DrawList,
     /// What the geometry stage counted.
     pub counts: Counts,
@@ -65,7 +65,9 @@ impl Canvas {
 /// # Errors
 /// [`PlanError`] when the scene has no usable view or the choices contradict each other.
 pub fn render(scene: &Scene, choices: &Choices, rasterizer: Option<&dyn Rasterizer>) -> Result<Rendered, PlanError> {
-    render_with(scene, choices, rasterizer, |_| ())
+    // Only who looks into the list needs all of it in its arrays.
+    let shares = rasterizer.is_some_and(Rasterizer::reads_shared);
+    render_changed(scene, choices, (rasterizer, shares), |_| ())
 }
 
 /// As [`render`]; `change` may alter the list between the geometry stage and the rasterizer: a part of it, an order.
@@ -78,13 +80,22 @@ pub fn render_with(
     rasterizer: Option<&dyn Rasterizer>,
     change: impl FnOnce(&mut DrawList),
 ) -> Result<Rendered, PlanError> {
+    render_changed(scene, choices, (rasterizer, false), change)
+}
+
+fn render_changed(
+    scene: &Scene,
+    choices: &Choices,
+    (rasterizer, shares): (Option<&dyn Rasterizer>, bool),
+    change: impl FnOnce(&mut DrawList),
+) -> Result<Rendered, PlanError> {
     let accepts = rasterizer.map_or(Accepts::AnyPolygon, Rasterizer::accepts);
     let timer = StageTimer::start();
     let plan = Plan::new(scene, choices, accepts)?;
     let mut times = Times { plan: timer.stop(), ..Times::default() };
     let timer = StageTimer::start();
     let mut list = DrawList::new(0, 0);
-    let mut counts = geometry::run(scene, &plan, &mut list);
+    let mut counts = Stage::sharing(shares).run(scene, &plan, &mut list);
     times.geometry = timer.stop();
     change(&mut list);
     let timer = StageTimer::start();

@@ -1,5 +1,6 @@
 //! The list of screen polygons of one picture.
 
+use super::shared::Shared;
 use super::{EdgeKind, Grid, Plane, Precision, ScreenPolygon, ScreenVertex, Shader};
 use crate::math::Vec3;
 use crate::plan::{DepthFormat, Interpolation, Varying};
@@ -39,6 +40,9 @@ pub struct DrawList {
     pub planes: Vec<Plane>,
     /// The polygons.
     pub polygons: Vec<PolygonRecord>,
+    /// Triangles that are kept as indices: none unless a rasterizer reads them ([`crate::raster::Rasterizer::reads_shared`]). What
+    /// concerns them is not in the arrays above; [`DrawList::whole`] has it there.
+    pub shared: Shared,
 }
 
 /// One polygon's place in the arrays of a [`DrawList`].
@@ -113,6 +117,7 @@ impl DrawList {
             values: Vec::new(),
             planes: Vec::new(),
             polygons: Vec::new(),
+            shared: Shared::default(),
         }
     }
 
@@ -122,6 +127,15 @@ impl DrawList {
         self.values.clear();
         self.planes.clear();
         self.polygons.clear();
+        self.shared.clear();
+    }
+
+    /// Takes over what holds for all polygons of `other`, but not its shader.
+    pub(super) fn take_setting(&mut self, other: &DrawList) {
+        (self.width, self.height, self.unit) = (other.width, other.height, other.unit);
+        (self.grid, self.varying, self.interpolation) = (other.grid, other.varying, other.interpolation);
+        (self.precision, self.depth_mapping) = (other.precision, other.depth_mapping);
+        (self.has_depth, self.has_blending) = (other.has_depth, other.has_blending);
     }
 
     /// A depth of this list in scene units, 1/w as people know it; integer steps stay what they are.
@@ -137,7 +151,7 @@ impl DrawList {
     /// leaves its range.
     #[must_use]
     pub fn in_unit(&self, unit: f64) -> DrawList {
-        let mut list = DrawList { unit, ..self.clone() };
+        let mut list = DrawList { unit, ..self.whole().clone() };
         let lengths = self.unit / unit;
         list.depth_mapping.nearest /= lengths;
         list.depth_mapping.farthest /= lengths;
@@ -160,7 +174,7 @@ impl DrawList {
 
     /// Drops vertices, values and planes that no polygon uses any more, after polygons were taken out.
     pub fn compact(&mut self) {
-        let whole = self.clone();
+        let whole = self.whole().clone();
         self.clear();
         let planes_each = if self.has_depth { 1 + self.varying.count() } else { 0 };
         for (index, record) in whole.polygons.iter().enumerate() {
@@ -194,12 +208,19 @@ impl DrawList {
     #[must_use]
     #[inline]
     pub fn polygon(&self, index: usize) -> ScreenPolygon<'_> {
+        ScreenPolygon::new(self.whole(), index)
+    }
+
+    /// The polygon at `index`, which is none of the shared triangles.
+    #[inline]
+    pub(crate) fn polygon_in_arrays(&self, index: usize) -> ScreenPolygon<'_> {
         ScreenPolygon::new(self, index)
     }
 
     /// All polygons, in scene order.
     pub fn polygons(&self) -> impl ExactSizeIterator<Item = ScreenPolygon<'_>> {
-        (0..self.polygons.len()).map(|index| ScreenPolygon::new(self, index))
+        let whole = self.whole();
+        (0..self.polygons.len()).map(move |index| ScreenPolygon::new(whole, index))
     }
 
     /// Adds a flat, opaque polygon that faces the viewer at distance 1/`depth`: for tests and small experiments.

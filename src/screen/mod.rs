@@ -9,23 +9,31 @@
 //! (i + 0.5, j + 0.5). Vertices are snapped to a grid of 2^-bits samples. Depth is 1/w, larger is nearer, 0 is
 //! infinitely far. Colors are linear light.
 
+pub(crate) mod corner;
 pub mod file;
 mod fragment;
 mod grid;
+mod instructions;
 pub mod lane;
+pub(crate) mod lanes;
+pub(crate) mod linear;
 mod list;
 mod plain;
 mod plane;
 mod polygon;
 mod scan_line;
 pub mod shader;
+mod shared;
 
 pub use fragment::{Fragment, Values};
 pub use grid::Grid;
+pub use instructions::{Instructions, VARIABLE};
 pub use list::{DepthMapping, DrawList, PolygonRecord, Source};
 pub use plane::{BLOCK, Evaluation, Plane, Precision};
 pub use polygon::ScreenPolygon;
 pub use shader::Shader;
+pub(crate) use shared::{OWN, SharedCorner, SharedTriangle};
+pub use shared::{Shared, Whole};
 
 use crate::math::Vec3;
 

@@ -18,7 +18,7 @@ impl DrawList {
     /// How many polygons show a picture.
     #[must_use]
     pub fn textured_polygons(&self) -> usize {
-        self.polygons().filter(|polygon| self.shader.texture_of(polygon.surface()).is_some()).count()
+        self.polygons.iter().filter(|polygon| self.shader.texture_of(polygon.surface).is_some()).count()
     }
 
     /// The same polygons in the light of their surfaces alone: no u, v, pictures or holes.

@@ -12,6 +12,11 @@ use crate::plan::Interpolation;
 pub struct ScreenPolygon<'a> {
     list: &'a DrawList,
     record: &'a PolygonRecord,
+    vertices: &'a [ScreenVertex],
+    /// What varies at the corners, one behind the other.
+    corner_values: &'a [f64],
+    /// Of depth, then of what varies; none in lists without depth.
+    planes: &'a [Plane],
     /// Its position in the list: the lower one keeps a sample when depths are equal.
     pub index: u32,
 }
@@ -19,15 +24,31 @@ pub struct ScreenPolygon<'a> {
 impl<'a> ScreenPolygon<'a> {
     #[inline]
     pub(super) fn new(list: &'a DrawList, index: usize) -> Self {
-        ScreenPolygon { list, record: &list.polygons[index], index: index as u32 }
+        let (record, numbers) = (&list.polygons[index], list.varying.count());
+        let first = record.first_vertex as usize;
+        let corners = first..first + record.vertex_count as usize;
+        let first = record.first_plane as usize;
+        let planes = if list.has_depth { first..(first + 1 + numbers).min(list.planes.len()) } else { 0..0 };
+        // Whoever makes lists by hand may leave out what is not looked at.
+        let values = list.values.get(corners.start * numbers..corners.end * numbers).unwrap_or_default();
+        let planes = list.planes.get(planes).unwrap_or_default();
+        Self::of((list, record, index), (&list.vertices[corners], values, planes))
+    }
+
+    /// From its parts: its corners, what varies there, its planes.
+    #[inline]
+    pub(super) fn of(
+        (list, record, index): (&'a DrawList, &'a PolygonRecord, usize),
+        (vertices, corner_values, planes): (&'a [ScreenVertex], &'a [f64], &'a [Plane]),
+    ) -> Self {
+        ScreenPolygon { list, record, vertices, corner_values, planes, index: index as u32 }
     }
 
     /// The corners, in order around the outline.
     #[must_use]
     #[inline]
     pub fn vertices(&self) -> &'a [ScreenVertex] {
-        let first = self.record.first_vertex as usize;
-        &self.list.vertices[first..first + self.record.vertex_count as usize]
+        self.vertices
     }
 
     /// What varies, at corner `corner`: the numbers that [`ScreenPolygon::values`] interpolates.
@@ -35,8 +56,7 @@ impl<'a> ScreenPolygon<'a> {
     #[inline]
     pub fn vertex_values(&self, corner: usize) -> &'a [f64] {
         let count = self.list.varying.count();
-        let first = (self.record.first_vertex as usize + corner) * count;
-        &self.list.values[first..first + count]
+        &self.corner_values[corner * count..(corner + 1) * count]
     }
 
     /// The grid its corners are snapped to.
@@ -62,7 +82,7 @@ impl<'a> ScreenPolygon<'a> {
     #[must_use]
     #[inline]
     pub fn depth_plane(&self) -> Option<&'a Plane> {
-        self.list.planes.get(self.record.first_plane as usize).filter(|_| self.list.has_depth)
+        self.planes.first()
     }
 
     /// The planes of what varies, one a number: of value / w, or of the value itself with `--interpolation screen`.
@@ -71,11 +91,7 @@ impl<'a> ScreenPolygon<'a> {
     #[must_use]
     #[inline]
     pub fn varying_planes(&self) -> &'a [Plane] {
-        if !self.list.has_depth {
-            return &[];
-        }
-        let first = self.record.first_plane as usize + 1;
-        &self.list.planes[first..first + self.list.varying.count()]
+        self.planes.get(1..).unwrap_or_default()
     }
 
     /// 1/w at the center of sample (x, y), within the range at the corners; 0 in lists without depth.

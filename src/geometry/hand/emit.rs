@@ -12,10 +12,11 @@ use crate::geometry::clip::{ClipVertex, ClipVolume, Clipped, MAX_ATTRIBUTES, Out
 use crate::geometry::cull::Survivor;
 use crate::geometry::light::LightWork;
 use crate::geometry::project::{Corner, Outline};
-use crate::geometry::walk::EyeMesh;
+use crate::geometry::walk::{EyeMesh, Side};
 use crate::geometry::{ClippedPolygon, Part, Setting, wear};
 use crate::plan::Split;
-use crate::screen::DrawList;
+use crate::scene::NormalSource;
+use crate::screen::{DrawList, OWN, PolygonRecord, SharedTriangle};
 
 /// What the polygons of a part have in common on their way to the screen.
 struct Way<'a> {
@@ -36,6 +37,14 @@ impl Hand {
         let on_the_way = Way { part, mesh, setting };
         for survivor in survivors {
             let polygon = &part.mesh.polygons[survivor.polygon as usize];
+            if mesh.shares
+                && !survivor.crossed
+                && let &[a, b, c] = part.mesh.outline(polygon)
+            {
+                let outline = if part.mirrored { [a, c, b] } else { [a, b, c] };
+                self.share(&on_the_way, survivor, outline, list);
+                continue;
+            }
             // Three corners need no memory, and what follows is unrolled for them; it is the same code.
             match (part.mesh.outline(polygon), part.mirrored) {
                 (&[a, b, c], false) if !survivor.crossed => self.inside(&on_the_way, survivor, [a, b, c], list),
@@ -45,10 +54,38 @@ impl Hand {
         }
     }
 
+    /// A triangle that no plane cuts, for a rasterizer that makes the rest of it.
+    #[inline]
+    fn share(&mut self, way: &Way<'_>, survivor: &Survivor, outline: [u32; 3], list: &mut DrawList) {
+        let Way { part, mesh, setting } = *way;
+        self.counts.add_rendered(part.tessellated, false, 3);
+        let (corners, lit) = mesh.shared(outline, Side::of(survivor));
+        let is_facet = part.mesh.polygons[survivor.polygon as usize].normals == NormalSource::Facet;
+        let values = match lit.filter(|_| !is_facet) {
+            Some(lit) => lit,
+            None => {
+                let mut corners = [Corner::default(); 3];
+                way.light(survivor, (&outline, &mut corners), &mut self.light);
+                let count = if setting.lighting.is_one_color() { 1 } else { 3 };
+                let own = &mut list.shared.own;
+                let first = own.light.len() as u32 | OWN;
+                own.light.extend(corners[..count].iter().map(|corner| corner.values));
+                if setting.lighting.carries_factors() {
+                    own.factors.extend(corners[..count].iter().map(|corner| corner.factor));
+                }
+                [0, 1, 2].map(|corner| first + corner.min(count as u32 - 1))
+            }
+        };
+        let number = list.shared.triangles.len() as u32;
+        list.shared.triangles.push(SharedTriangle { corners, values });
+        list.polygons.push(PolygonRecord::shared(number, part.shading, part.source(survivor.polygon)));
+    }
+
     /// A triangle that no plane cuts.
     #[inline]
     fn inside(&mut self, way: &Way<'_>, survivor: &Survivor, outline: [u32; 3], list: &mut DrawList) {
-        let corner = |index| Corner { ready: *way.mesh.ready(index), ..Corner::default() };
+        let ready = |index| way.mesh.ready(index, way.setting.projector);
+        let corner = |index| Corner { ready: ready(index), ..Corner::default() };
         let mut corners = [corner(outline[0]), corner(outline[1]), corner(outline[2])];
         way.light(survivor, (&outline, &mut corners), &mut self.light);
         self.handed_on(way, survivor, &outline, &corners);
@@ -61,7 +98,8 @@ impl Hand {
         self.outline.extend(way.part.outline(&way.part.mesh.polygons[survivor.polygon as usize]));
         let (outline, mut corners) = (std::mem::take(&mut self.outline), std::mem::take(&mut self.corners));
         corners.clear();
-        corners.extend(outline.iter().map(|&index| Corner { ready: *way.mesh.ready(index), ..Corner::default() }));
+        let ready = |index| way.mesh.ready(index, way.setting.projector);
+        corners.extend(outline.iter().map(|&index| Corner { ready: ready(index), ..Corner::default() }));
         // Light belongs to the vertices of the scene (with `relight`, normals take its place until clipping is done).
         way.light(survivor, (&outline, &mut corners), &mut self.light);
         self.clipped.clear();

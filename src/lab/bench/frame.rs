@@ -100,6 +100,7 @@ pub fn draw(
     times.plan = timer.stop();
 
     let timer = StageTimer::start();
+    buffers.stage.shares = rasterizer.reads_shared();
     let counts = buffers.stage.run(scene, &plan, &mut buffers.list);
     times.geometry = timer.stop();
 
@@ -158,6 +159,7 @@ impl Buffers {
             + std::mem::size_of_val(&list.values[..])
             + std::mem::size_of_val(&list.planes[..])
             + std::mem::size_of_val(&list.polygons[..])
+            + list.shared.bytes()
             + std::mem::size_of_val(self.image.pixels())
             + self.levels.len();
         bytes as u64 + self.frame.bytes()

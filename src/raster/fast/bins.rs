@@ -138,14 +138,14 @@ impl Segment {
     #[inline(always)]
     fn fill_by<S: Simd>(&mut self, simd: S, list: &DrawList, range: Range<usize>, layout: &Layout) {
         for index in range {
-            self.add(simd, &list.polygon(index), list, layout);
+            self.add(simd, index, list, layout);
         }
     }
 
     /// Whether samples of the polygon are decided as the z-buffer does.
     #[inline(always)]
-    fn is_one_by_one(&self, polygon: &ScreenPolygon<'_>) -> bool {
-        !self.shortcuts.holes && polygon.is_cut_out()
+    fn is_one_by_one(&self, subject: &Subject<'_>) -> bool {
+        !self.shortcuts.holes && subject.is_cut_out()
     }
 
     fn bin(&mut self, entry: Entry, [columns, rows]: Reach, layout: &Layout) {
@@ -159,47 +159,73 @@ impl Segment {
 
     /// Makes the polygon ready and bins it, unless it covers no sample.
     #[inline(always)]
-    fn add<S: Simd>(&mut self, simd: S, polygon: &ScreenPolygon<'_>, list: &DrawList, layout: &Layout) {
+    fn add<S: Simd>(&mut self, simd: S, index: usize, list: &DrawList, layout: &Layout) {
+        let record = &list.polygons[index];
+        if record.is_shared() {
+            let triangle = list.shared.triangle(record);
+            let subject = Subject::new(list, index);
+            let outline = Outline::of_three(list.shared.places(triangle));
+            return self.add_outline(simd, (subject, || list.shared.depth_plane(triangle)), outline, layout);
+        }
+        let polygon = list.polygon_in_arrays(index);
+        let (subject, depth) = (Subject::new(list, index), || polygon.depth_plane().copied());
         if list.grid.bits > BITS || polygon.vertices().len() > MOST_EDGES {
-            if let Some(inside) = bounds(polygon, list).and_then(|area| cut(area, layout)) {
-                self.add_shape(polygon, list, (inside, None), layout);
+            if let Some(inside) = bounds(&polygon, list).and_then(|area| cut(area, layout))
+                && let Some(depth) = depth()
+            {
+                self.add_shape(&subject, depth, (inside, None), layout);
             }
             return;
         }
-        let Some(mut outline) = Outline::new(polygon.vertices()) else { return };
+        let Some(outline) = Outline::new(polygon.vertices()) else { return };
+        self.add_outline(simd, (subject, depth), outline, layout);
+    }
+
+    /// Bins a polygon whose edges may be looked at; its plane of depth is asked for when it covers something.
+    #[inline(always)]
+    fn add_outline<S: Simd>(
+        &mut self,
+        simd: S,
+        (subject, depth): (Subject<'_>, impl Fn() -> Option<Plane>),
+        mut outline: Outline,
+        layout: &Layout,
+    ) {
         let whole = [
             [first_center(outline.least[0]), first_center(outline.most[0])],
             [first_center(outline.least[1]), first_center(outline.most[1])],
         ];
         let Some(inside) = cut(whole, layout) else { return };
-        let may_be_small = self.shortcuts.small && is_small(inside) && inside == whole && !self.is_one_by_one(polygon);
+        let may_be_small = self.shortcuts.small && is_small(inside) && inside == whole && !self.is_one_by_one(&subject);
         if may_be_small && outline.make_ready() {
             let covered = covered(simd, &outline, inside);
             if covered == 0 {
                 return;
             }
-            if let Some(plane) = polygon.depth_plane().filter(|plane| has_single_depth(list, plane)) {
+            let Some(depth) = depth() else { return };
+            if has_single_depth(subject.list, &depth) {
                 let entry = Entry::new(self.smalls.len(), Kind::Small);
-                let what = (polygon.index, is_transparent(list, polygon), polygon.is_cut_out());
-                self.smalls.push(Small::new(plane, covered, inside, what));
+                let what = (subject.index, subject.is_transparent(), subject.is_cut_out());
+                self.smalls.push(Small::new(&depth, covered, inside, what));
                 return self.bin(entry, inside, layout);
             }
+            return self.add_shape(&subject, depth, (inside, Some(outline)), layout);
         }
-        self.add_shape(polygon, list, (inside, Some(outline)), layout);
+        if let Some(depth) = depth() {
+            self.add_shape(&subject, depth, (inside, Some(outline)), layout);
+        }
     }
 
     /// Bins a polygon that is not small.
     fn add_shape(
         &mut self,
-        polygon: &ScreenPolygon<'_>,
-        list: &DrawList,
+        subject: &Subject<'_>,
+        depth: Plane,
         (inside, outline): (Reach, Option<Outline>),
         layout: &Layout,
     ) {
-        let Some(&depth) = polygon.depth_plane() else { return };
-        let single = has_single_depth(list, &depth) && !self.is_one_by_one(polygon);
+        let single = has_single_depth(subject.list, &depth) && !self.is_one_by_one(subject);
         let first_corner = self.corners.len() as u32;
-        let cut_out = polygon.is_cut_out();
+        let cut_out = subject.is_cut_out();
         let is_fit = |outline: &Outline| single && are_in_range(outline.least, outline.most, layout.side);
         let outline = outline.filter(is_fit);
         let mut corner_count = 0;
@@ -219,7 +245,7 @@ impl Segment {
             (false, false) => (Way::Spans, Kind::Other),
         };
         let entry = Entry::new(self.shapes.len(), kind);
-        let (polygon, transparent) = (polygon.index, is_transparent(list, polygon));
+        let (polygon, transparent) = (subject.index, subject.is_transparent());
         let [columns, rows] = inside;
         self.shapes.push(Shape {
             polygon,
@@ -236,6 +262,32 @@ impl Segment {
     }
 }
 
+/// A polygon of the list and what is asked of it beside its outline.
+struct Subject<'a> {
+    list: &'a DrawList,
+    index: u32,
+    surface: u32,
+}
+
+impl<'a> Subject<'a> {
+    #[inline(always)]
+    fn new(list: &'a DrawList, index: usize) -> Subject<'a> {
+        Subject { list, index: index as u32, surface: list.polygons[index].surface }
+    }
+
+    /// Whether the surface has holes.
+    #[inline(always)]
+    fn is_cut_out(&self) -> bool {
+        self.list.shader.is_cut_out(self.surface)
+    }
+
+    /// Whether the target keeps its fragments apart.
+    #[inline(always)]
+    fn is_transparent(&self) -> bool {
+        self.list.shader.opacity_of(self.surface) != Rgb::gray(1.0)
+    }
+}
+
 /// The part of a box that is inside the picture and among the rows that are drawn; `None` where there is none.
 #[inline(always)]
 fn cut([columns, rows]: Reach, layout: &Layout) -> Option<Reach> {
@@ -249,12 +301,6 @@ fn cut([columns, rows]: Reach, layout: &Layout) -> Option<Reach> {
 fn first_center(fixed: i32) -> i32 {
     const HALF: i32 = 1 << (BITS - 1);
     fixed.saturating_add(HALF - 1) >> BITS
-}
-
-/// Whether the target keeps its fragments apart.
-#[inline]
-fn is_transparent(list: &DrawList, polygon: &ScreenPolygon<'_>) -> bool {
-    list.shader.opacity(polygon) != Rgb::gray(1.0)
 }
 
 /// The box of samples whose centers may be inside: columns, rows; `None` for a polygon without corners.

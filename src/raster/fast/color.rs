@@ -11,10 +11,11 @@
 use super::lanes::{rounded, widened};
 use super::layout::{Area, LANES};
 use super::planes::{Eight, Ready, gather};
+use super::shown::Shown;
 use super::tile::NOBODY;
 use crate::color::Rgb;
 use crate::plan::{DepthFormat, Interpolation, Varying};
-use crate::screen::{BLOCK, DrawList, Fragment, Precision};
+use crate::screen::{BLOCK, DrawList, Fragment, Precision, Whole};
 use fearless_simd::{Level, Select, Simd, SimdBase, SimdMask, dispatch, f32x8, f64x8, mask32x8, mask64x8, u32x8};
 
 /// Samples of a step.
@@ -34,6 +35,7 @@ pub(super) fn applies(list: &DrawList) -> bool {
 /// The samples of a finished tile.
 pub(super) struct Finished<'a> {
     pub list: &'a DrawList,
+    pub planes: &'a Shown,
     pub background: Rgb<f32>,
     pub area: &'a Area,
     pub stride: usize,
@@ -58,19 +60,24 @@ pub(super) fn shade(level: Level, tile: &mut Finished<'_>) {
 }
 
 /// Finds the colors of fragments, each of any polygon at any sample, without pictures; depths are 1/w.
-pub(super) fn shade_fragments(level: Level, list: &DrawList, fragments: &mut [Fragment]) {
-    let mut powers = 0;
+pub(super) fn shade_fragments(level: Level, (list, shown): (&DrawList, &Shown), fragments: &mut [Fragment]) {
+    let (mut powers, of) = (0, (list, shown));
     match list.varying.light_count() {
-        3 => dispatch!(level, simd => shade_each::<_, 3>(simd, list, fragments, &mut powers)),
-        6 => dispatch!(level, simd => shade_each::<_, 6>(simd, list, fragments, &mut powers)),
-        9 => dispatch!(level, simd => shade_each::<_, 9>(simd, list, fragments, &mut powers)),
+        3 => dispatch!(level, simd => shade_each::<_, 3>(simd, of, fragments, &mut powers)),
+        6 => dispatch!(level, simd => shade_each::<_, 6>(simd, of, fragments, &mut powers)),
+        9 => dispatch!(level, simd => shade_each::<_, 9>(simd, of, fragments, &mut powers)),
         _ => fragments.iter_mut().for_each(|fragment| fragment.color = list.shader.line_color),
     }
     list.shader.add_powers(powers);
 }
 
 #[inline(always)]
-fn shade_each<S: Simd, const N: usize>(simd: S, list: &DrawList, fragments: &mut [Fragment], powers: &mut u64) {
+fn shade_each<S: Simd, const N: usize>(
+    simd: S,
+    (list, shown): (&DrawList, &Shown),
+    fragments: &mut [Fragment],
+    powers: &mut u64,
+) {
     for fragments in fragments.chunks_mut(LANES as usize) {
         let mut eight = Eight::default();
         for lane in 0..LANES as usize {
@@ -80,13 +87,14 @@ fn shade_each<S: Simd, const N: usize>(simd: S, list: &DrawList, fragments: &mut
             eight.set(lane, (fragment.x, fragment.y));
         }
         let asked = (1 << fragments.len()) - 1;
-        let (values, odd) = gather::<S, N>(simd, list, &eight);
+        let (values, odd) = gather::<S, N>(simd, (list, shown), &eight);
         let light = light(simd, (list, &eight.polygons), values, asked & !odd, powers);
         for (lane, fragment) in fragments.iter_mut().enumerate() {
             fragment.color = if odd >> lane & 1 == 0 {
                 Rgb::new(light[0][lane], light[1][lane], light[2][lane])
             } else {
-                let polygon = list.polygon(fragment.polygon as usize);
+                let mut room = Whole::default();
+                let polygon = list.polygon_in(fragment.polygon as usize, &mut room);
                 list.shader.color(&polygon, &polygon.values(fragment.x, fragment.y))
             };
         }
@@ -138,7 +146,7 @@ fn shade_step<S: Simd, const N: usize>(simd: S, tile: &mut Finished<'_>, ready: 
     let mut polygons = [polygon; LANES as usize];
     let (values, odd) = if one_polygon {
         if ready.polygon != polygon {
-            *ready = Ready::new(tile.list, polygon, (x, y));
+            *ready = Ready::new((tile.list, tile.planes), polygon, (x, y));
         }
         ready.eight(simd, (x, y), f32x8::from_slice(simd, depth), shown)
     } else {
@@ -150,7 +158,7 @@ fn shade_step<S: Simd, const N: usize>(simd: S, tile: &mut Finished<'_>, ready: 
             missing &= missing - 1;
         }
         polygons = eight.polygons;
-        gather::<S, N>(simd, tile.list, &eight)
+        gather::<S, N>(simd, (tile.list, tile.planes), &eight)
     };
     let light = light(simd, (tile.list, &polygons), values, shown & !odd, &mut tile.powers);
     put(simd, tile, range, (light, shown));
@@ -182,10 +190,10 @@ fn put<S: Simd>(simd: S, tile: &mut Finished<'_>, range: std::ops::Range<usize>,
 /// The lanes whose planes are no matter of `f32`, by the shader's own function.
 #[inline(always)]
 fn put_odd(tile: &mut Finished<'_>, index: usize, odd: u64, (x, y): (i32, i32)) {
-    let mut rest = odd;
+    let (mut rest, mut room) = (odd, Whole::default());
     while rest != 0 {
         let lane = rest.trailing_zeros() as usize;
-        let polygon = tile.list.polygon(tile.owner[index + lane] as usize);
+        let polygon = tile.list.polygon_in(tile.owner[index + lane] as usize, &mut room);
         let color = tile.list.shader.color(&polygon, &polygon.values(x + lane as i32, y));
         let [red, green, blue] = &mut tile.light;
         (red[index + lane], green[index + lane], blue[index + lane]) = (color.r, color.g, color.b);

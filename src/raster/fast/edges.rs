@@ -54,12 +54,17 @@ impl Outline {
     #[inline(always)]
     pub fn new(vertices: &[ScreenVertex]) -> Option<Outline> {
         let [first, second, third] = vertices else { return Outline::of_many(vertices) };
-        let [a, b, c] = [corner(first), corner(second), corner(third)];
+        Some(Outline::of_three([corner(first), corner(second), corner(third)]))
+    }
+
+    /// A triangle.
+    #[inline(always)]
+    pub fn of_three([a, b, c]: [[i32; 2]; 3]) -> Outline {
         let least = [a[0].min(b[0]).min(c[0]), a[1].min(b[1]).min(c[1])];
         let most = [a[0].max(b[0]).max(c[0]), a[1].max(b[1]).max(c[1])];
         let mut corners = [[0; 2]; MOST_EDGES];
         (corners[0], corners[1], corners[2]) = (a, b, c);
-        Some(Outline { corners, count: 3, least, most })
+        Outline { corners, count: 3, least, most }
     }
 
     // Not inlined where lanes are compiled: there the loop becomes gathers of eight corners, which take twice the time of binning.

@@ -17,12 +17,12 @@ mod bins;
 mod color;
 mod cover;
 mod edges;
-mod lanes;
 mod layout;
 mod level;
 mod mean;
 mod planes;
 mod shade;
+mod shown;
 mod sink;
 mod small;
 mod textured;
@@ -36,7 +36,7 @@ use self::shade::Behind;
 use self::sink::{PixelRows, Samples, Sink};
 use self::tile::{Counts, Depth, Tile};
 use super::{Pixels, PutCounts, Rasterizer, Target, ZBuffer};
-use crate::screen::{DrawList, Precision};
+use crate::screen::{DrawList, Precision, lanes};
 use fearless_simd::Level;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -193,6 +193,10 @@ impl Rasterizer for Fast {
         let job = Job { list, layout, behind, threads, instructions: self.instructions, shortcuts: self.shortcuts };
         let counts = self.run(&job, &Samples(Mutex::new(&mut *target)));
         counts.own.into_iter().for_each(|(name, count)| target.count(name, count));
+    }
+
+    fn reads_shared(&self) -> bool {
+        true
     }
 
     fn draw_pixels(&self, list: &DrawList, pixels: &mut Pixels<'_>) -> bool {

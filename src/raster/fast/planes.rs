@@ -9,6 +9,7 @@
 
 use super::lanes::{counting, rounded, widened};
 use super::layout::LANES;
+use super::shown::Shown;
 use super::tile::NOBODY;
 use crate::plan::Interpolation;
 use crate::screen::lane::{Lane, in_block};
@@ -47,9 +48,8 @@ impl<const N: usize> Ready<N> {
 
     /// The polygon in the block of sample (x, y).
     #[inline(always)]
-    pub fn new(list: &DrawList, polygon: u32, (x, y): (i32, i32)) -> Self {
-        let view = list.polygon(polygon as usize);
-        let planes = light_planes(&view, N);
+    pub fn new((list, shown): (&DrawList, &Shown), polygon: u32, (x, y): (i32, i32)) -> Self {
+        let planes = light_planes(shown.planes(list, polygon), N);
         let block = (x & !(BLOCK - 1), y & !(BLOCK - 1));
         let mut ready = Ready { polygon, block, single: planes.len() == N, constant: true, ..Ready::nothing() };
         let mut number = 0;
@@ -59,7 +59,8 @@ impl<const N: usize> Ready<N> {
             ready.constant &= plane.evaluation == Evaluation::Constant;
             let range = [plane.low as f32, plane.high as f32];
             let anchor = plane.anchor(block.0, block.1);
-            *channel = Channel { anchor, slope: plane.slope(), range, over_w: view.is_over_w(number, plane) };
+            let over_w = runs_in_space(list, number) && plane.evaluation != Evaluation::Constant;
+            *channel = Channel { anchor, slope: plane.slope(), range, over_w };
             number += 1;
         }
         ready
@@ -129,27 +130,30 @@ impl Eight {
 
 /// The first `count` planes of what varies: those behind them are u and v, which [`super::textured`] looks at.
 #[inline(always)]
-fn light_planes<'a>(polygon: &ScreenPolygon<'a>, count: usize) -> &'a [Plane] {
-    let planes = polygon.varying_planes();
+fn light_planes(planes: &[Plane], count: usize) -> &[Plane] {
     &planes[..count.min(planes.len())]
 }
 
 /// What varies at eight samples, and which lanes are to be asked for otherwise.
 #[inline(never)]
-pub(super) fn gather<S: Simd, const N: usize>(simd: S, list: &DrawList, eight: &Eight) -> ([f32x8<S>; N], u64) {
+pub(super) fn gather<S: Simd, const N: usize>(simd: S, of: (&DrawList, &Shown), eight: &Eight) -> ([f32x8<S>; N], u64) {
     simd.vectorize(
         #[inline(always)]
-        || gather_all(simd, list, eight),
+        || gather_all(simd, of, eight),
     )
 }
 
 #[inline(always)]
-fn gather_all<S: Simd, const N: usize>(simd: S, list: &DrawList, eight: &Eight) -> ([f32x8<S>; N], u64) {
+fn gather_all<S: Simd, const N: usize>(
+    simd: S,
+    (list, shown): (&DrawList, &Shown),
+    eight: &Eight,
+) -> ([f32x8<S>; N], u64) {
     let mut planes = [[].as_slice(); COUNT];
     let mut odd = 0;
     let mut lane = 0;
     while lane < COUNT {
-        planes[lane] = light_planes(&list.polygon(eight.polygons[lane] as usize), N);
+        planes[lane] = light_planes(shown.planes(list, eight.polygons[lane]), N);
         if planes[lane].len() != N {
             return ([f32x8::splat(simd, 0.0); N], 0xFF);
         }
@@ -162,13 +166,19 @@ fn gather_all<S: Simd, const N: usize>(simd: S, list: &DrawList, eight: &Eight) 
     let mut values = [depth; N];
     let mut number = 0;
     while number < N {
-        let in_space = list.interpolation == Interpolation::Perspective || list.varying.is_eye_point(number);
+        let in_space = runs_in_space(list, number);
         let (value, is_odd) = one_number(simd, &planes, number, eight, (depth, in_space));
         values[number] = value;
         odd |= is_odd;
         number += 1;
     }
     (values, odd)
+}
+
+/// Whether a number that is not the same everywhere has a plane of value / w, in lists without scan lines.
+#[inline(always)]
+fn runs_in_space(list: &DrawList, number: usize) -> bool {
+    list.interpolation == Interpolation::Perspective || list.varying.is_eye_point(number)
 }
 
 /// Whether nothing varies over any of eight polygons: flat shading.

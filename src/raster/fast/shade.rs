@@ -38,12 +38,15 @@ impl<D: Depth> Tile<D> {
         let samples = self.owner.len();
         self.light.iter_mut().for_each(|channel| channel.resize(samples, 0.0));
         let by_planes = self.shortcuts.light && color::applies(list);
+        self.shown.clear();
+        self.shown.add(list, self.owner.iter().copied());
         match D::singles(&mut self.depth) {
             Some(depth) if by_planes => {
-                let (area, stride, owner) = (&self.area, self.stride, &self.owner);
+                let (area, stride, owner, planes) = (&self.area, self.stride, &self.owner, &self.shown);
                 let light = self.light.each_mut().map(Vec::as_mut_slice);
                 let background = behind.background;
-                let mut tile = Finished { list, background, area, stride, depth, owner, light, shown: 0, powers: 0 };
+                let mut tile =
+                    Finished { list, planes, background, area, stride, depth, owner, light, shown: 0, powers: 0 };
                 color::shade(level, &mut tile);
                 self.counts.puts += tile.shown;
                 list.shader.add_powers(tile.powers);
@@ -103,13 +106,14 @@ impl<D: Depth> Tile<D> {
         }
         // Only what is in front after all is shaded.
         if let Some(level) = level {
-            color::shade_fragments(level, list, &mut fragments);
+            self.shown.add(list, fragments.iter().map(|fragment| fragment.polygon));
+            color::shade_fragments(level, (list, &self.shown), &mut fragments);
             wear_on_fragments(list, &mut fragments);
         }
         for fragment in &mut fragments {
-            let polygon = list.polygon(fragment.polygon as usize);
-            fragment.opacity = list.shader.opacity(&polygon);
+            fragment.opacity = list.shader.opacity_of(list.polygons[fragment.polygon as usize].surface);
             if level.is_none() {
+                let polygon = list.polygon(fragment.polygon as usize);
                 fragment.color = list.shader.fragment(&polygon, fragment.x, fragment.y).color;
             }
         }

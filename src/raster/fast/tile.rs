@@ -13,9 +13,10 @@ use super::cover::{self, Run, Samples, blocks_across};
 use super::layout::{Area, LANES};
 use super::level::Shortcuts;
 use super::shade::Blended;
+use super::shown::Shown;
 use crate::raster::coverage::Spans;
 use crate::raster::layers::Layers;
-use crate::screen::{DrawList, ScreenPolygon};
+use crate::screen::{DrawList, ScreenPolygon, Whole};
 use fearless_simd::Level;
 
 /// The owner of samples that no polygon shows on.
@@ -76,6 +77,8 @@ pub(super) struct Tile<D> {
     runs: Vec<Run>,
     spans: Spans,
     pub blended: Blended,
+    pub shown: Shown,
+    room: Whole,
     /// What the samples show, when they are shaded: red, green, blue.
     pub light: [Vec<f32>; 3],
     pub counts: Counts,
@@ -129,6 +132,8 @@ impl<D: Depth> Tile<D> {
             runs: Vec::new(),
             spans: Spans::default(),
             blended: Blended::default(),
+            shown: Shown::default(),
+            room: Whole::default(),
             light,
             counts,
             shortcuts,
@@ -193,7 +198,8 @@ impl<D: Depth> Tile<D> {
     /// Draws one polygon by the z-buffer's spans and depth in lanes.
     fn draw_runs(&mut self, list: &DrawList, shape: &Shape, spans: &mut Spans, level: Level) {
         self.counts.runs += 1;
-        let polygon = list.polygon(shape.polygon as usize);
+        let mut room = std::mem::take(&mut self.room);
+        let polygon = list.polygon_in(shape.polygon as usize, &mut room);
         let mut runs = std::mem::take(&mut self.runs);
         runs.clear();
         spans.of(polygon.vertices(), list.grid, self.area.rows.clone(), |row, columns| {
@@ -203,6 +209,7 @@ impl<D: Depth> Tile<D> {
             cover::draw_runs(level, samples, shape, &runs);
         }
         self.runs = runs;
+        self.room = room;
     }
 
     /// The samples, if their depths are `f32`.
@@ -216,13 +223,15 @@ impl<D: Depth> Tile<D> {
     /// Draws one polygon as the z-buffer does.
     fn draw_spans(&mut self, list: &DrawList, shape: &Shape, spans: &mut Spans) {
         self.counts.spans += 1;
-        let polygon = list.polygon(shape.polygon as usize);
+        let mut room = std::mem::take(&mut self.room);
+        let polygon = list.polygon_in(shape.polygon as usize, &mut room);
         let rows = self.area.rows.clone();
         spans.of(polygon.vertices(), list.grid, rows, |row, columns| {
             for column in columns {
                 self.draw_sample(&polygon, (column, row), shape.transparent);
             }
         });
+        self.room = room;
     }
 
     fn draw_sample(&mut self, polygon: &ScreenPolygon<'_>, (x, y): (i32, i32), transparent: bool) {

@@ -96,6 +96,18 @@ impl Shader {
         self.light_of(&self.surfaces[surface as usize], points, powers).into()
     }
 
+    /// The same for points side by side, of which those in the mask `wanted` are asked for.
+    #[inline(always)]
+    pub(crate) fn lights_at<T: Wide>(
+        &self,
+        surface: u32,
+        (eye, normal): ([T; 3], [T; 3]),
+        factor: Option<[T; 3]>,
+        (wanted, powers): (T::Mask, &mut u64),
+    ) -> [T; 3] {
+        self.light_of(&self.surfaces[surface as usize], Points { eye, normal, factor, wanted }, powers)
+    }
+
     /// The same for one point or several side by side; highlights are added to `powers`.
     #[inline(always)]
     fn light_of<T: Wide>(&self, surface: &SurfaceShading, points: Points<T>, powers: &mut u64) -> [T; 3] {
@@ -206,7 +218,14 @@ impl Shader {
     #[must_use]
     #[inline]
     pub fn opacity(&self, polygon: &ScreenPolygon<'_>) -> Rgb<f32> {
-        self.surfaces.get(polygon.surface() as usize).map_or(Rgb::gray(1.0), |surface| surface.opacity)
+        self.opacity_of(polygon.surface())
+    }
+
+    /// The opacity of a surface.
+    #[must_use]
+    #[inline]
+    pub(crate) fn opacity_of(&self, surface: u32) -> Rgb<f32> {
+        self.surfaces.get(surface as usize).map_or(Rgb::gray(1.0), |surface| surface.opacity)
     }
 
     /// Highlights computed so far: cosine powers, or the quotients of `basic`.

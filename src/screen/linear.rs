@@ -1,6 +1,6 @@
-//! Planes: depth and what varies, as functions that are linear over the screen.
+//! Linear: the planes of depth and of what varies, as functions that are linear over the screen.
 //!
-//! project -> PLANES -> DrawList
+//! project -> LINEAR -> DrawList; a shared triangle -LINEAR-> its planes, when they are asked for
 //!
 //! Why planes come from eye space: a plane through snapped vertices would carry their rounding into every depth, a
 //! relative error of 1e-3 on a grazing ground where the plane in space has 1e-8. On the polygon's plane in eye
@@ -13,14 +13,14 @@
 //! Cost: divisions, hardly anything else: 5 for depth, 6 for the gradients of a polygon, 2 for each value and 1 for each value at
 //! a corner; 48 bytes a plane.
 
-use super::project::{Corner, Outline, ScreenMap};
+use super::Plane;
+use super::corner::{Corner, Outline, ScreenMap};
 use crate::math::{Vec3, largest_coordinate, ordinary_scale};
 use crate::plan::Varying;
-use crate::screen::Plane;
 
 /// What planes are made for.
-#[derive(Clone, Copy)]
-pub(super) struct Planes {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Planes {
     pub screen: ScreenMap,
     pub varying: Varying,
     pub has_depth: bool,
@@ -36,12 +36,29 @@ impl Planes {
         if !self.has_depth {
             return first_plane;
         }
-        // 1/w over the screen: n/d, from the polygon as it was before clipping.
-        let inverse_w = outline.newell / outline.newell.dot(outline.before[0].ready.eye);
-        let range = range(outline.clipped.iter().map(|corner| corner.ready.inverse_w));
-        planes.push(Plane::new(self.screen.plane(inverse_w), range, range, self.screen.precision));
+        let inverse_w = outline.inverse_w();
+        planes.push(self.depth(inverse_w, outline.clipped.iter().map(|corner| corner.ready.inverse_w)));
+        self.push_varying(outline, (triangle, inverse_w), planes);
+        first_plane
+    }
+
+    /// The plane of depth, from the functional of 1/w and its values at the corners that are left.
+    #[inline(always)]
+    pub fn depth(&self, inverse_w: Vec3, at_corners: impl Iterator<Item = f64>) -> Plane {
+        let range = range(at_corners);
+        Plane::new(self.screen.plane(inverse_w), range, range, self.screen.precision)
+    }
+
+    /// Adds the planes of what varies; `inverse_w` is the functional of 1/w.
+    #[inline(always)]
+    pub fn push_varying(
+        &self,
+        outline: &Outline<'_>,
+        (triangle, inverse_w): ([u32; 3], Vec3),
+        planes: &mut Vec<Plane>,
+    ) {
         if self.varying == Varying::Nothing {
-            return first_plane;
+            return;
         }
         let space = Space { planes: self, outline, triangle, inverse_w };
         space.push(|corner| corner.values, planes);
@@ -54,7 +71,6 @@ impl Planes {
         if self.varying.texture_count() > 0 {
             space.push(|corner| corner.place, planes);
         }
-        first_plane
     }
 
     /// In place of a plane: the mark that a number runs along scan lines, with its range at the corners.

@@ -1,6 +1,6 @@
 //! Lanes: eight numbers side by side, for what is written once for any number of them.
 
-use crate::screen::lane::{BIAS, FRACTION, Lane, WHOLE, Wide};
+use super::lane::{BIAS, FRACTION, Lane, WHOLE, Wide};
 use fearless_simd::{
     Select, Simd, SimdBase, SimdCombine, SimdFloat, SimdMask, SimdNarrow, SimdSplit, SimdWiden, f32x8, f64x8, mask64x8,
     prelude::ExtractToken, u64x8,
@@ -80,20 +80,20 @@ impl<S: Simd> Wide for f64x8<S> {
 
 /// 0, 1, ... 7.
 #[inline(always)]
-pub(super) fn counting<S: Simd>(simd: S) -> f32x8<S> {
+pub(crate) fn counting<S: Simd>(simd: S) -> f32x8<S> {
     f32x8::from_slice(simd, &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0])
 }
 
 /// Exact.
 #[inline(always)]
-pub(super) fn widened<S: Simd>(numbers: f32x8<S>) -> f64x8<S> {
+pub(crate) fn widened<S: Simd>(numbers: f32x8<S>) -> f64x8<S> {
     let (low, high) = numbers.widen();
     low.combine(high)
 }
 
 /// Rounded once, to the nearest.
 #[inline(always)]
-pub(super) fn rounded<S: Simd>(numbers: f64x8<S>) -> f32x8<S> {
+pub(crate) fn rounded<S: Simd>(numbers: f64x8<S>) -> f32x8<S> {
     let (low, high) = numbers.split();
     low.narrow(high)
 }
@@ -101,7 +101,7 @@ pub(super) fn rounded<S: Simd>(numbers: f64x8<S>) -> f32x8<S> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::raster::fast::Instructions;
+    use crate::screen::Instructions;
     use fearless_simd::dispatch;
 
     /// The same eight operations in lanes and one by one.
