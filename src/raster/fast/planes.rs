@@ -13,7 +13,7 @@ use super::shown::Shown;
 use super::tile::NOBODY;
 use crate::plan::Interpolation;
 use crate::screen::lane::{Lane, in_block};
-use crate::screen::{BLOCK, DrawList, Evaluation, Plane, ScreenPolygon};
+use crate::screen::{BLOCK, DrawList, Evaluation, Plane};
 use fearless_simd::{Select, Simd, SimdBase, SimdMask, f32x8, f64x8, mask32x8};
 
 const COUNT: usize = LANES as usize;
