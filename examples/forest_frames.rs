@@ -129,7 +129,7 @@ impl Painter {
         let raster = milliseconds(start);
         let start = Instant::now();
         self.image.encode_into(choices.encoding, &mut self.levels);
-        Ok(Times { geometry, raster, levels: milliseconds(start), puts, })
+        Ok(Times { geometry, raster, levels: milliseconds(start), puts })
     }
 
     fn save(&self, path: &Path) -> Result<(), Failure> {
