@@ -321,12 +321,8 @@ fn counts_add_up_and_near_trees_come_first() {
     let polygons: usize = scene.surfaces.iter().map(|surface| surface.mesh.polygons.len()).sum();
     assert_eq!(polygons as u64, counts.tree_polygons + counts.terrain_polygons);
     assert!(counts.crossed > 0 && counts.facing > 0, "{counts:?}");
-    let mut all = Composer::new(
-        &cells,
-        pictures(&cells),
-        Choices { trees: Trees::Crossed, ..choices() },
-    )
-    .expect("an area");
+    let mut all =
+        Composer::new(&cells, pictures(&cells), Choices { trees: Trees::Crossed, ..choices() }).expect("an area");
     let (_, whole) = all.compose(&camera, SIZE).expect("in memory");
     assert_eq!((whole.submitted, whole.tree_polygons), (counts.submitted, 2 * counts.submitted));
 }
