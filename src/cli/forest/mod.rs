@@ -158,8 +158,7 @@ impl ForestCommand {
                 found.name(),
                 samples = self.picture.samples
             );
-            let samples = u64::from(size.0) * u64::from(size.1) * u64::from(self.picture.samples).pow(2);
-            error::print(&figures.text(&head, samples, crate::report::peak_bytes()))?;
+            error::print(&figures.text(&head, crate::report::peak_bytes()))?;
         }
         Ok(())
     }

@@ -68,7 +68,7 @@ pub(super) fn frame(
     let (scene, counts) = composer.compose(camera)?;
     let composing = timer.stop().elapsed;
     let mut painted = painter.paint(scene)?;
-    painted.seconds[0] = composing;
+    painted.milliseconds[0] = composing;
     Ok(Painted { trees: counts.submitted, terrain: counts.terrain_polygons, ..painted })
 }
 
