@@ -103,7 +103,6 @@ struct Times {
     raster: f64,
     levels: f64,
     puts: u64,
-    polygons: usize,
 }
 
 impl Painter {
@@ -130,7 +129,7 @@ impl Painter {
         let raster = milliseconds(start);
         let start = Instant::now();
         self.image.encode_into(choices.encoding, &mut self.levels);
-        Ok(Times { geometry, raster, levels: milliseconds(start), puts, polygons: self.list.len() })
+        Ok(Times { geometry, raster, levels: milliseconds(start), puts })
     }
 
     fn save(&self, path: &Path) -> Result<(), Failure> {

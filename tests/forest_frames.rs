@@ -16,6 +16,7 @@ use farop::render::render;
 use farop::scene::{Camera, Place, Scene, Surface};
 use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
+use std::sync::OnceLock;
 
 /// Hills of 5 x 5 cells of 240 m: one cell is missing, one is a mesh, one has a void.
 fn area() -> Cells {
@@ -32,6 +33,12 @@ fn area() -> Cells {
     let indices = (0..5).flat_map(|column| (0..5).map(move |row| [column, row]));
     let cells: BTreeMap<_, _> = indices.filter(|&index| index != [3, 1]).map(|index| (index, cell(index))).collect();
     Cells::Loaded(Area { head, cells })
+}
+
+/// The pictures of the area, painted once for all tests.
+fn pictures(cells: &Cells) -> Pictures {
+    static PICTURES: OnceLock<Pictures> = OnceLock::new();
+    PICTURES.get_or_init(|| Pictures::new(cells.head(), Path::new(".")).expect("painted")).clone()
 }
 
 fn height(column: usize, row: usize) -> i16 {
@@ -84,7 +91,7 @@ fn cell(index: CellIndex) -> Cell {
 
 fn terrain() -> (Cells, Terrain) {
     let cells = area();
-    let pictures = Pictures::new(cells.head(), Path::new(".")).expect("painted");
+    let pictures = pictures(&cells);
     let terrain = Terrain::new(&cells, None, &pictures).expect("an area");
     (cells, terrain)
 }
@@ -217,7 +224,7 @@ fn faces_depend_on_the_eye_alone() {
 const SIZE: (u32, u32) = (320, 240);
 
 fn composer(cells: &Cells, choices: Choices) -> Composer<'_> {
-    let pictures = Pictures::new(cells.head(), Path::new(".")).expect("painted");
+    let pictures = pictures(cells);
     Composer::new(cells, pictures, choices).expect("an area")
 }
 
@@ -279,7 +286,7 @@ fn extreme_eyes_make_whole_scenes() {
     for trees in [Trees::Auto, Trees::Crossed, Trees::Billboards] {
         let mut composer = composer(&cells, Choices { trees, ..choices() });
         let mut stock = Stock::new(cells.head(), None, (500.0, 1), 0);
-        let pictures = Pictures::new(cells.head(), Path::new(".")).expect("painted");
+        let pictures = pictures(&cells);
         stock.follow(&cells, composer.terrain(), &pictures, path()[0].from).expect("in memory");
         let stocked = stock.at([1, 1]).expect("near");
         let tree = stocked.trees()[7];
@@ -314,12 +321,8 @@ fn counts_add_up_and_near_trees_come_first() {
     let polygons: usize = scene.surfaces.iter().map(|surface| surface.mesh.polygons.len()).sum();
     assert_eq!(polygons as u64, counts.tree_polygons + counts.terrain_polygons);
     assert!(counts.crossed > 0 && counts.facing > 0, "{counts:?}");
-    let mut all = Composer::new(
-        &cells,
-        Pictures::new(cells.head(), Path::new(".")).expect("painted"),
-        Choices { trees: Trees::Crossed, ..choices() },
-    )
-    .expect("an area");
+    let mut all =
+        Composer::new(&cells, pictures(&cells), Choices { trees: Trees::Crossed, ..choices() }).expect("an area");
     let (_, whole) = all.compose(&camera, SIZE).expect("in memory");
     assert_eq!((whole.submitted, whole.tree_polygons), (counts.submitted, 2 * counts.submitted));
 }
@@ -353,7 +356,7 @@ fn what_is_no_choice_is_refused() {
         Choices { tolerance: 0.0, ..choices() },
         Choices { threshold: 2.0, ..choices() },
     ] {
-        let pictures = Pictures::new(cells.head(), Path::new(".")).expect("painted");
+        let pictures = pictures(&cells);
         let error = Composer::new(&cells, pictures, choices).err().expect("refused");
         assert!(matches!(error, FrameError::Choice { .. }), "{error}");
     }

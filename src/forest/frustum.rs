@@ -199,7 +199,7 @@ mod tests {
             let size = if view % 2 == 0 { (640, 480) } else { (300, 700) };
             let clip = clip_from_eye(&camera, focal(&camera, size), size) * eye_from_world(&camera);
             let frustum = Frustum::of_camera(&camera, focal(&camera, size), size);
-            for (column, row) in (-8..12).flat_map(|column| (-9..9).map(move |row| (column, row))) {
+            for (column, row) in (-8..12_i32).flat_map(|column| (-9..9).map(move |row| (column, row))) {
                 let corner = [f64::from(column) * side, f64::from(row) * side];
                 let range = (100.0, 100.0 + f64::from((column * row).rem_euclid(9)) * 20.0 + 30.0);
                 // Brute force: any point of a fine lattice in the box.

@@ -56,13 +56,13 @@ impl Window {
     /// Whether a cell is in it.
     #[must_use]
     pub fn contains(&self, cell: CellIndex) -> bool {
-        (0..2).all(|axis| (cell[axis].saturating_sub(self.center[axis])).abs() <= self.buffer + self.horizon)
+        (0..2).all(|axis| away(cell[axis], self.center[axis]) <= i64::from(self.buffer + self.horizon))
     }
 
     /// Whether the observer in `at` may see something of `cell`.
     #[must_use]
     pub fn is_within_horizon(&self, at: CellIndex, cell: CellIndex) -> bool {
-        (0..2).all(|axis| cell[axis].saturating_sub(near(at[axis])).abs() <= self.horizon)
+        (0..2).all(|axis| away(cell[axis], near(at[axis])) <= i64::from(self.horizon))
     }
 
     /// Takes the window along to an observer in `at`; by how many columns and rows it moved.
@@ -90,6 +90,10 @@ impl Window {
         cells.sort_by_key(|cell| (away(cell), cell[1], cell[0]));
         cells
     }
+}
+
+fn away(a: i32, b: i32) -> i64 {
+    (i64::from(a) - i64::from(b)).abs()
 }
 
 fn near(index: i32) -> i32 {

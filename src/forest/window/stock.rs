@@ -75,7 +75,7 @@ impl Stocked {
         let trees = grow(head, &cell, year, Placement::Lattice, &|at| terrain.height(&cell, at))?;
         let base = base_of(&cell);
         let square = |tree: &Tree| {
-            let [column, row] = [tree.x, tree.y].map(|steps| usize::from(steps) * SQUARES >> 16);
+            let [column, row] = [tree.x, tree.y].map(|steps| (usize::from(steps) * SQUARES) >> 16);
             row * SQUARES + column
         };
         let mut starts = vec![0_u32; SQUARES * SQUARES + 1];
