@@ -17,33 +17,38 @@ impl Figures {
 
     /// The table of `--benchmark`; `head` says what was played, `peak` is bytes of memory.
     pub fn text(&self, head: &str, peak: u64) -> String {
-        let all = self.frames.len().max(1) as f64;
-        let sum: f64 = self.frames.iter().map(Painted::total).sum();
-        let total = |of: fn(&Painted) -> u64| self.frames.iter().map(of).sum::<u64>() as f64;
-        let per_second = |count: f64| 1e3 * count / sum.max(1e-6);
+        let mut text = format!("{head}\n");
+        let memory = ("memory", format!("{:.1} MB at most", peak as f64 / 1e6));
+        for (name, value) in self.times().into_iter().chain(self.counts()).chain([memory]) {
+            // Writing to a String cannot fail.
+            let _ = writeln!(text, "  {name:9} {value}");
+        }
+        text
+    }
+
+    /// Milliseconds of all frames.
+    fn sum(&self) -> f64 {
+        self.frames.iter().map(Painted::total).sum()
+    }
+
+    fn times(&self) -> [(&'static str, String); 3] {
         let middle = Summary::of(self.frames.iter().map(Painted::total)).median;
         // The first frame loads all cells around the observer; it is told by itself.
         let rest = if self.frames.len() > 1 { &self.frames[1..] } else { &self.frames[..] };
         let worst = rest.iter().map(Painted::total).fold(0.0, f64::max);
         let first = self.frames.first().map_or(0.0, Painted::total);
         let stage = |index: usize| Summary::of(self.frames.iter().map(|frame| frame.milliseconds[index])).median;
-        let (trees, terrain) = (total(|frame| frame.trees), total(|frame| frame.terrain));
-        let rows = [
+        let rate = |milliseconds: f64| 1e3 / milliseconds.max(1e-6);
+        let all = self.sum() / self.frames.len().max(1) as f64;
+        let times = worst / middle.max(1e-6);
+        [
             (
                 "frames/s",
-                format!(
-                    "{:.2} over all, {:.2} in the middle, {:.2} at worst",
-                    per_second(all),
-                    1e3 / middle.max(1e-6),
-                    1e3 / worst.max(1e-6)
-                ),
+                format!("{:.2} over all, {:.2} in the middle, {:.2} at worst", rate(all), rate(middle), rate(worst)),
             ),
             (
                 "ms",
-                format!(
-                    "{middle:.1} in the middle, {worst:.1} at worst: {:.2} times; the first frame {first:.1}",
-                    worst / middle.max(1e-6)
-                ),
+                format!("{middle:.1} in the middle, {worst:.1} at worst: {times:.2} times; the first frame {first:.1}"),
             ),
             (
                 "stages",
@@ -55,6 +60,15 @@ impl Figures {
                     stage(3)
                 ),
             ),
+        ]
+    }
+
+    fn counts(&self) -> [(&'static str, String); 4] {
+        let all = self.frames.len().max(1) as f64;
+        let total = |of: fn(&Painted) -> u64| self.frames.iter().map(of).sum::<u64>() as f64;
+        let per_second = |count: f64| 1e3 * count / self.sum().max(1e-6);
+        let (trees, terrain) = (total(|frame| frame.trees), total(|frame| frame.terrain));
+        [
             ("trees", format!("{:.0} a frame, {:.3} million a second", trees / all, per_second(trees) / 1e6)),
             (
                 "terrain",
@@ -62,14 +76,7 @@ impl Figures {
             ),
             ("polygons", format!("{:.0} a frame, all together", total(|frame| frame.polygons) / all)),
             ("overdraw", overdraw(total(|frame| frame.puts), total(|frame| frame.overdraw))),
-            ("memory", format!("{:.1} MB at most", peak as f64 / 1e6)),
-        ];
-        let mut text = format!("{head}\n");
-        for (name, value) in rows {
-            // Writing to a String cannot fail.
-            let _ = writeln!(text, "  {name:9} {value}");
-        }
-        text
+        ]
     }
 }
 
