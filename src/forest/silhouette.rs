@@ -6,10 +6,11 @@
 //! would be a white rectangle. Its outline, found from the picture itself, still looks like a tree, whatever the picture is.
 //!
 //! The outline has a left and a right point for each of [`BANDS`] heights: the mean of the outermost texels there. So it is one simple
-//! polygon, never more; sky between branches is lost.
+//! polygon, never more; sky between branches is lost. Feet are darker than tops, and no two trees are equally light.
 //!
 //! Space: that of the scene. Source: ours. Cost: one look at every picture a scene, 2 [`BANDS`] + 2 vertices a tree.
 
+use super::random::mix64;
 use crate::color::{Encoding, Rgb};
 use crate::image::textures::{Mosaic, Texels, Wrap};
 use crate::math::Vec3;
@@ -160,6 +161,13 @@ fn colors_of(mesh: &Mesh, mosaic: &Mosaic, wrap: Wrap) -> Vec<Rgb> {
     mesh.texture.iter().enumerate().map(|(vertex, place)| own(vertex) * at(place)).collect()
 }
 
+/// How light a tree is at a height (0 to 1): darker at its foot, and each a little different, or a wood would be one sheet of color.
+fn shade(number: u32, height: f64) -> f64 {
+    let chance = mix64(u64::from(number)) >> 11;
+    let own = chance as f64 / (1u64 << 53) as f64;
+    (0.6 + 0.4 * height.clamp(0.0, 1.0)) * (0.75 + 0.25 * own)
+}
+
 /// Adds the outline where a polygon wears its picture; nothing where the picture has no place on it.
 fn outlined(mesh: &Mesh, polygon: &Polygon, outline: &[[f64; 2]], into: &mut Mesh) {
     let corners = mesh.outline(polygon);
@@ -181,6 +189,7 @@ fn outlined(mesh: &Mesh, polygon: &Polygon, outline: &[[f64; 2]], into: &mut Mes
         return;
     }
     let normal = mesh.normals.get(corners[0] as usize).copied();
+    let own = mesh.colors.get(corners[0] as usize).copied().unwrap_or(Rgb::WHITE);
     let mut added: Vec<u32> = Vec::with_capacity(outline.len());
     for [u, v] in outline {
         let place = origin + along_u * (u - start.x) + along_v * (v - start.y);
@@ -188,6 +197,11 @@ fn outlined(mesh: &Mesh, polygon: &Polygon, outline: &[[f64; 2]], into: &mut Mes
             Some(normal) => into.push_vertex_with_normal(place, normal),
             None => into.push_vertex(place),
         });
+        // The first color makes room for those before it.
+        into.colors.resize(into.vertices.len(), Rgb::WHITE);
+        if let Some(color) = into.colors.last_mut() {
+            *color = own * Rgb::gray(shade(polygon.line, *v));
+        }
     }
     // The front stays the front.
     if area < 0.0 {
@@ -258,6 +272,8 @@ mod tests {
                 && (high - Vec3::new(14.0, 5.0, 12.0)).abs().max_element() < 1.5,
             "{low} {high}"
         );
+        let (foot, top) = (mesh.colors[0], mesh.colors[BANDS as usize]);
+        assert!(mesh.colors.len() == mesh.vertices.len() && foot.g < top.g, "darker at its foot: {foot:?} {top:?}");
         // Turned round, it stays where it is, and its front is the other side.
         let turned: Vec<_> = quad.iter().rev().copied().collect();
         let back = without_pictures(&wearing(Texture::cut_out("fir", fir(), 0.5), &turned));

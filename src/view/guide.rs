@@ -89,6 +89,11 @@ pub(super) fn compass(board: &mut Board, eye: &Eye, scale: i64) {
 
 /// Writes the names of landmarks where they are in the picture, with their distances.
 pub(super) fn names(board: &mut Board, landmarks: &[Landmark], view: &View, scale: i64) {
+    names_and(board, landmarks, (view, scale), short);
+}
+
+/// As [`names`], with distances in words of the caller's.
+fn names_and(board: &mut Board, landmarks: &[Landmark], (view, scale): (&View, i64), told: fn(f64) -> String) {
     let ((half_width, half_height), side) = (view.half(), f64::from(view.samples));
     for landmark in landmarks {
         let eye = view.to_eye(landmark.place);
@@ -100,7 +105,7 @@ pub(super) fn names(board: &mut Board, landmarks: &[Landmark], view: &View, scal
         if x < 0.0 || y < 0.0 || x >= board.width() as f64 || y >= board.height() as f64 {
             continue;
         }
-        let text = format!("{} {}", landmark.name, short((eye * view.unit).length()));
+        let text = format!("{} {}", landmark.name, told((eye * view.unit).length()));
         board.dot((x, y), 3 * scale, ink::YELLOW);
         let (left, top) = (x as i64 + 4 * scale, y as i64 - 4 * scale);
         let width = text.chars().count() as i64 * 6 * scale;
@@ -109,10 +114,15 @@ pub(super) fn names(board: &mut Board, landmarks: &[Landmark], view: &View, scal
     }
 }
 
+/// A distance as people say it.
+fn metres(distance: f64) -> String {
+    if distance < 1000.0 { format!("{distance:.0} m") } else { format!("{:.1} km", distance / 1000.0) }
+}
+
 /// Draws the compass and the names of landmarks over a picture that `camera` has seen.
 pub fn over(board: &mut Board, camera: &Camera, view: &View, landmarks: &[Landmark]) {
     let scale = if board.height() > 1400 { 2 } else { 1 };
-    names(board, landmarks, view, scale);
+    names_and(board, landmarks, (view, scale), metres);
     compass(board, &Eye::new(camera), scale);
 }
 

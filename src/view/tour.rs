@@ -60,7 +60,7 @@ impl Tour {
             return Err(TourError::TooShort);
         }
         let frames = (metres / self.stride).ceil() + 1.0;
-        if !(frames <= MOST) {
+        if frames.is_nan() || frames > MOST {
             return Err(TourError::TooLong { metres, frames });
         }
         let way = Way { places, lengths };

@@ -15,9 +15,32 @@ use crate::view::guide::{self, Landmark};
 pub(super) fn landmarks(cells: &Cells, observer: &mut Observer) -> Result<Vec<Landmark>, CliError> {
     let place = |mark: &crate::forest::area::Mark| {
         let ground = observer.ground(cells, mark.at)?;
-        Ok(Landmark { name: mark.name.clone(), place: Vec3::new(mark.at[0], mark.at[1], ground) })
+        Ok(Landmark { name: mark.name.chars().map(plain).collect(), place: Vec3::new(mark.at[0], mark.at[1], ground) })
     };
     cells.head().marks.iter().map(place).collect()
+}
+
+/// A letter that the small font has: accents are left out, as on old maps.
+fn plain(letter: char) -> char {
+    const FAMILIES: [(&str, char); 16] = [
+        ("àáâãäå", 'a'),
+        ("ÀÁÂÃÄÅ", 'A'),
+        ("èéêë", 'e'),
+        ("ÈÉÊË", 'E'),
+        ("ìíîï", 'i'),
+        ("ÌÍÎÏ", 'I'),
+        ("òóôõöø", 'o'),
+        ("ÒÓÔÕÖØ", 'O'),
+        ("ùúûü", 'u'),
+        ("ÙÚÛÜ", 'U'),
+        ("ç", 'c'),
+        ("Ç", 'C'),
+        ("ñ", 'n'),
+        ("Ñ", 'N'),
+        ("ýÿ", 'y'),
+        ("Ý", 'Y'),
+    ];
+    FAMILIES.iter().find(|(letters, _)| letters.contains(letter)).map_or(letter, |family| family.1)
 }
 
 /// The picture with a compass and the places that lie in it.

@@ -30,7 +30,7 @@ use observer::Observer;
 pub(super) use options::ForestCommand;
 use options::{TreesName, Verb};
 use paint::Painter;
-use play::Play;
+use play::{Over, Play};
 use std::path::Path;
 
 impl ForestCommand {
@@ -144,8 +144,7 @@ impl ForestCommand {
         let landmarks = labels::landmarks(cells, &mut observer)?;
         let choices = painter.choices().clone();
         let over = |picture: &Picture, camera: &Camera| labels::over(picture, camera, &choices, &landmarks);
-        let over: Option<&dyn Fn(&Picture, &Camera) -> Result<Picture, CliError>> =
-            if self.labels { Some(&over) } else { None };
+        let over: Option<&Over<'_>> = if self.labels { Some(&over) } else { None };
         let figures = Play { walk: &self.walk, camera, over }.run(&poses, &mut composer, &mut painter)?;
         if self.walk.benchmark {
             let threads = self.picture.threads.map_or("all".to_string(), |threads| threads.to_string());
@@ -158,8 +157,7 @@ impl ForestCommand {
                 found.name(),
                 samples = self.picture.samples
             );
-            let samples = u64::from(size.0) * u64::from(size.1) * u64::from(self.picture.samples).pow(2);
-            error::print(&figures.text(&head, samples, crate::report::peak_bytes()))?;
+            error::print(&figures.text(&head, crate::report::peak_bytes()))?;
         }
         Ok(())
     }

@@ -18,22 +18,23 @@ use crate::screen::DrawList;
 /// What one frame took and showed.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Painted {
-    /// Seconds of composing, geometry, rasterizer, levels.
-    pub seconds: [f64; 4],
+    /// Milliseconds of composing, geometry, rasterizer, levels.
+    pub milliseconds: [f64; 4],
     /// Trees in view.
     pub trees: u64,
     /// Polygons of the ground.
     pub terrain: u64,
     /// Polygons that the rasterizer was given.
     pub polygons: u64,
-    /// Samples put.
+    /// Samples put, and those of them that were put over others; a rasterizer that hands over finished pixels counts none of these.
     pub puts: u64,
+    pub overdraw: u64,
 }
 
 impl Painted {
-    /// Seconds of the frame.
+    /// Milliseconds of the frame.
     pub fn total(&self) -> f64 {
-        self.seconds.iter().sum()
+        self.milliseconds.iter().sum()
     }
 }
 
@@ -86,7 +87,13 @@ impl<'a> Painter<'a> {
         self.image.encode_into(self.choices.encoding, canvas.threads, &mut self.levels);
         let levels = timer.stop().elapsed;
         let polygons = self.list.len() as u64;
-        Ok(Painted { seconds: [0.0, geometry, raster, levels], polygons, puts: puts.puts, ..Painted::default() })
+        Ok(Painted {
+            milliseconds: [0.0, geometry, raster, levels],
+            polygons,
+            puts: puts.puts,
+            overdraw: puts.overdraw,
+            ..Painted::default()
+        })
     }
 
     /// Red, green and blue of every pixel of the last frame.

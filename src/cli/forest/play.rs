@@ -13,13 +13,16 @@ use crate::view::path::Pose;
 use sha2::{Digest, Sha256};
 use std::fmt::Write;
 
+/// What writes over a frame.
+pub(super) type Over<'a> = dyn Fn(&Picture, &Camera) -> Result<Picture, CliError> + 'a;
+
 /// What becomes of each frame.
 pub(super) struct Play<'a> {
     pub walk: &'a Walk,
     /// Everything of the camera but the pose.
     pub camera: Camera,
     /// What is written over a frame, if anything.
-    pub over: Option<&'a dyn Fn(&Picture, &Camera) -> Result<Picture, CliError>>,
+    pub over: Option<&'a Over<'a>>,
 }
 
 impl Play<'_> {
@@ -68,7 +71,7 @@ pub(super) fn frame(
     let (scene, counts) = composer.compose(camera)?;
     let composing = timer.stop().elapsed;
     let mut painted = painter.paint(scene)?;
-    painted.seconds[0] = composing;
+    painted.milliseconds[0] = composing;
     Ok(Painted { trees: counts.submitted, terrain: counts.terrain_polygons, ..painted })
 }
 
