@@ -40,7 +40,7 @@ fn main() {
     let mut wrong = Vec::new();
     for (kind, source) in &written {
         match rows.iter().find(|row| row["source"] == source.as_str()) {
-            Some(row) => wrong.extend(unruly::complaint(kind, row)),
+            Some(row) => wrong.extend(unruly::complaint(kind, row, &places)),
             None => wrong.push(format!("{source:?} has no grade")),
         }
     }

@@ -105,7 +105,8 @@ fn an_unruly_class_gets_its_grades() {
     let rows = class["submissions"].as_array().expect("a list");
     assert_eq!(rows.len(), kinds.len());
     let row = |source: &String| rows.iter().find(|row| row["source"] == source.as_str()).expect("every one has a row");
-    let wrong: Vec<_> = kinds.iter().zip(&keys).filter_map(|(kind, key)| unruly::complaint(kind, row(key))).collect();
+    let wrong: Vec<_> =
+        kinds.iter().zip(&keys).filter_map(|(kind, key)| unruly::complaint(kind, row(key), &places)).collect();
     assert!(wrong.is_empty(), "{}\n{}", wrong.join("\n"), String::from_utf8_lossy(&output.stdout));
 
     // Nothing is left: no file where attacks wrote, no cell, no process.

@@ -16,7 +16,7 @@ const C_LIBRARY: &str = include_str!("../../student_rasterizers/other_languages/
 /// What a submission is worth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Worth {
-    /// All points.
+    /// All points; in other languages but for glass, which the examples draw opaque.
     All,
     /// None, for this cause.
     None(&'static str),
@@ -28,12 +28,15 @@ pub enum Worth {
 pub struct Kind {
     pub name: &'static str,
     pub worth: Worth,
+    /// What the first aspect's report must have in it: an attack must fail for the reason that is tested.
+    says: &'static str,
     files: Vec<(&'static str, String)>,
 }
 
 /// Places that attacks know: `secret` is readable by everybody, `loot` writable by everybody.
 pub struct Places {
     pub secret: PathBuf,
+    pub header: PathBuf,
     pub loot: PathBuf,
     pub class: PathBuf,
     pub results: PathBuf,
@@ -44,6 +47,7 @@ impl Places {
     pub fn new(root: &Path) -> Places {
         let places = Places {
             secret: root.join("secret.py"),
+            header: root.join("secret.h"),
             loot: root.join("loot"),
             class: root.join("submissions"),
             results: root.join("submissions.graded"),
@@ -51,8 +55,9 @@ impl Places {
         fs::create_dir_all(&places.loot).expect("made");
         fs::create_dir_all(&places.class).expect("made");
         fs::write(&places.secret, PYTHON).expect("written");
+        fs::write(&places.header, "enum { SECRET = 1 };\n").expect("written");
         #[cfg(unix)]
-        for (path, mode) in [(root, 0o755), (&places.loot, 0o777), (&places.secret, 0o644)] {
+        for (path, mode) in [(root, 0o755), (&places.loot, 0o777), (&places.secret, 0o644), (&places.header, 0o644)] {
             use std::os::unix::fs::PermissionsExt;
             fs::set_permissions(path, fs::Permissions::from_mode(mode)).expect("own file");
         }
@@ -78,23 +83,27 @@ fn rust(attack: &str) -> String {
 }
 
 fn one(name: &'static str, worth: Worth, file: &'static str, text: String) -> Kind {
-    Kind { name, worth, files: vec![(file, text)] }
+    Kind { name, worth, says: "", files: vec![(file, text)] }
+}
+
+fn says(says: &'static str, kind: Kind) -> Kind {
+    Kind { says, ..kind }
 }
 
 /// Submissions that do what students do.
 pub fn ordinary() -> Vec<Kind> {
     let corners = PYTHON.replace("row + 0.5", "row").replace("column - 0.5 - x", "column - 1 - x");
     let corners = corners.replace("column + 0.5 - x", "column - x").replace("dx / dy - 0.5", "dx / dy");
-    let farther = RUST.replace("> target.depth(x, y)", "< target.depth(x, y) || target.depth(x, y) == 0.0");
+    let last = RUST.replace(" && polygon.depth(x, y) > target.depth(x, y)", "");
     let program = vec![("zbuffer.c", C.to_string()), ("zbuffer_lib.c", C_LIBRARY.to_string())];
     vec![
         one("right_python", Worth::All, "zbuffer.py", PYTHON.to_string()),
         one("right_rust", Worth::All, "my_zbuffer.rs", RUST.to_string()),
         one("right_library", Worth::All, "zbuffer.c", C_LIBRARY.to_string()),
-        Kind { name: "right_c", worth: Worth::All, files: program },
+        Kind { name: "right_c", worth: Worth::All, says: "", files: program },
         one("skeleton", Worth::Some(""), "my_zbuffer.rs", SKELETON.to_string()),
         one("corners", Worth::Some("samples at the corner"), "zbuffer.py", corners),
-        one("farther", Worth::Some(""), "my_zbuffer.rs", farther),
+        one("last", Worth::Some(""), "my_zbuffer.rs", last),
         one("misspelled", Worth::None("does not compile"), "my_zbuffer.rs", RUST.replace("fold(", "folded(")),
         one("typo", Worth::None("exit-code"), "zbuffer.py", PYTHON.replace("def draw", "deff draw")),
         one(
@@ -111,8 +120,8 @@ pub fn ordinary() -> Vec<Kind> {
 
 /// Submissions that hang, crash, flood, start things, and cheat.
 pub fn unruly(places: &Places) -> Vec<Kind> {
-    let Places { secret, loot, class, results } = places;
-    let (secret, loot) = (secret.display().to_string(), loot.display().to_string());
+    let Places { secret, header, loot, class, results } = places;
+    let [secret, header, loot] = [secret, header, loot].map(|path| path.display().to_string());
     let neighbor = class.join("000_right_python/zbuffer.py").display().to_string();
     let forged = "import os, sys, json\nreport = json.dumps({'score': 125, 'points': 125.0, 'passed': True})\n";
     let forge = format!(
@@ -121,6 +130,7 @@ pub fn unruly(places: &Places) -> Vec<Kind> {
         results.display()
     );
     let read = |path: &str| format!("exec(open({path:?}).read())\n");
+    let refused = Worth::None("does not compile");
     let build_script = format!("fn main() {{ std::fs::write(\"{loot}/build_script\", \"x\").unwrap(); }}");
     vec![
         one("hangs", Worth::None("time-out"), "zbuffer.py", "while True: pass\n".to_string()),
@@ -177,8 +187,8 @@ pub fn unruly(places: &Places) -> Vec<Kind> {
             "my_zbuffer.rs",
             rust("if polygon.vertices().len() < 99 { std::process::exit(0) }"),
         ),
-        one("reads_secret", Worth::None("exit-code"), "zbuffer.py", read(&secret)),
-        one("reads_neighbor", Worth::None("exit-code"), "zbuffer.py", read(&neighbor)),
+        says("PermissionError", one("reads_secret", Worth::None("exit-code"), "zbuffer.py", read(&secret))),
+        says("PermissionError", one("reads_neighbor", Worth::None("exit-code"), "zbuffer.py", read(&neighbor))),
         one(
             "socket",
             Worth::All,
@@ -188,22 +198,19 @@ pub fn unruly(places: &Places) -> Vec<Kind> {
             )),
         ),
         one("kills_parent", Worth::All, "zbuffer.py", python("os.kill(os.getppid(), 9)\nos.kill(-1, 9)")),
-        one(
-            "includes",
-            Worth::None("does not compile"),
-            "my_zbuffer.rs",
-            format!("const S: &str = include_str!({secret:?});\n{RUST}"),
+        says(
+            "couldn't read",
+            one("includes", refused, "my_zbuffer.rs", format!("{RUST}\nconst S: &str = include_str!({secret:?});\n")),
         ),
-        one("includes_c", Worth::None("does not compile"), "zbuffer.c", format!("#include {secret:?}\n{C_LIBRARY}")),
-        one(
-            "embeds_c",
-            Worth::None("does not compile"),
-            "zbuffer.c",
-            format!("__asm__(\".incbin \\\"{secret}\\\"\");\n{C_LIBRARY}"),
+        says("Permission denied", one("includes_c", refused, "zbuffer.c", format!("#include {header:?}\n{C_LIBRARY}"))),
+        says(
+            "secret.py",
+            one("embeds_c", refused, "zbuffer.c", format!("__asm__(\".incbin \\\"{secret}\\\"\");\n{C_LIBRARY}")),
         ),
         Kind {
             name: "build_script",
             worth: Worth::All,
+            says: "",
             files: vec![
                 ("my_zbuffer.rs", RUST.to_string()),
                 ("build.rs", build_script),
@@ -211,7 +218,7 @@ pub fn unruly(places: &Places) -> Vec<Kind> {
             ],
         },
         // The link is made by `write`.
-        Kind { name: "link", worth: Worth::None("nothing to run"), files: Vec::new() },
+        Kind { name: "link", worth: Worth::None("nothing to run"), says: "it is empty", files: Vec::new() },
     ]
 }
 
@@ -230,14 +237,21 @@ pub fn write(kind: &Kind, number: usize, places: &Places) -> String {
     name
 }
 
-/// What is wrong with a grade, if anything.
-pub fn complaint(kind: &Kind, row: &serde_json::Value) -> Option<String> {
+/// What is wrong with a grade, if anything: a row of `class.json`, and the verdict it names.
+pub fn complaint(kind: &Kind, row: &serde_json::Value, places: &Places) -> Option<String> {
     let (points, most) = (row["points"].as_f64().unwrap_or(-1.0), row["most"].as_f64().unwrap_or(-1.0));
     let causes: Vec<&str> = row["causes"].as_array().into_iter().flatten().filter_map(|cause| cause.as_str()).collect();
+    let is_opaque = row["door"] != "rust" && causes == ["transparency ignored"] && points == most - 5.0;
     let is_right = match kind.worth {
-        Worth::All => points == most && causes.is_empty(),
+        Worth::All => (points == most && causes.is_empty()) || is_opaque,
         Worth::None(cause) => points == 0.0 && causes.contains(&cause),
         Worth::Some(cause) => points > 0.0 && points < most && (cause.is_empty() || causes.contains(&cause)),
     };
+    let verdict = fs::read(places.results.join(row["verdict"].as_str().unwrap_or_default())).unwrap_or_default();
+    let verdict: serde_json::Value = serde_json::from_slice(&verdict).unwrap_or_default();
+    let said = verdict["aspects"][0]["text"].as_str().unwrap_or_default();
+    if !said.contains(kind.says) {
+        return Some(format!("{}: the report says {said:?}, not {:?}", kind.name, kind.says));
+    }
     (!is_right).then(|| format!("{}: {:?} expected, {points} of {most} for {causes:?}", kind.name, kind.worth))
 }

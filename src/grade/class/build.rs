@@ -122,7 +122,7 @@ const PROGRAM: &str = "__graded";
 
 /// Makes of `files`, which lie in `cell`, what can be run; the first of these that fits.
 pub(super) fn build(files: &[String], cell: &Path, class: &Class<'_>) -> Result<Built, NotBuilt> {
-    let text = |name: &str| String::from_utf8_lossy(&std::fs::read(cell.join(name)).unwrap_or_default()).into_owned();
+    let text = |name: &str| text_of(cell, name);
     let ending = |ending: &'static str| files.iter().filter(move |name| name.ends_with(ending));
     let (own, lab) = (format!("my_{}.rs", class.lab.name), class.lab.name);
     let is_own = |name: &&String| name.rsplit('/').next() == Some(&own);
@@ -136,16 +136,23 @@ pub(super) fn build(files: &[String], cell: &Path, class: &Class<'_>) -> Result<
     if is_function {
         return Err(NotBuilt::Nothing(format!("There is no {own}: the function `{lab}` is expected in it.")));
     }
+    build_other(files, cell, class)
+}
+
+/// In any other language.
+fn build_other(files: &[String], cell: &Path, class: &Class<'_>) -> Result<Built, NotBuilt> {
+    let ending = |ending: &'static str| files.iter().filter(move |name| name.ends_with(ending));
     for (kind, compiler) in [(".c", "cc"), (".cpp", "c++")] {
         let sources: Vec<&String> = ending(kind).collect();
         if sources.is_empty() {
             continue;
         }
-        let texts: Vec<String> = sources.iter().map(|name| text(name)).collect();
+        let texts: Vec<String> = sources.iter().map(|name| text_of(cell, name)).collect();
         let is_library =
             texts.iter().any(|text| text.contains("farop_draw")) && !texts.iter().any(|text| has_main(text));
         return build_c((&sources, compiler, is_library), cell, class.sandbox);
     }
+    let lab = class.lab.name;
     if let Some(name) = ending(".py").find(|name| name.contains(lab)).or_else(|| ending(".py").next()) {
         return Ok(Built::Program(vec!["python3".into(), "-B".into(), cell.join(name).into()], "python"));
     }
@@ -154,8 +161,12 @@ pub(super) fn build(files: &[String], cell: &Path, class: &Class<'_>) -> Result<
     }
     let seen = if files.is_empty() { "it is empty".to_string() } else { format!("there is {}", files.join(", ")) };
     Err(NotBuilt::Nothing(format!(
-        "There is nothing to run: a {own}, a .c, .cpp or .py file, or an executable is expected; {seen}."
+        "There is nothing to run: a my_{lab}.rs, a .c, .cpp or .py file, or an executable is expected; {seen}."
     )))
+}
+
+fn text_of(cell: &Path, name: &str) -> String {
+    String::from_utf8_lossy(&std::fs::read(cell.join(name)).unwrap_or_default()).into_owned()
 }
 
 fn has_main(text: &str) -> bool {
@@ -234,7 +245,8 @@ fn build_c(
     }
     let program = cell.join(if is_library { "__graded.so" } else { PROGRAM });
     let standard = if compiler == "cc" { "-std=gnu11" } else { "-std=gnu++17" };
-    let mut words: Vec<OsString> = [compiler, "-O2", standard, "-ffp-contract=off", "-I."].map(OsString::from).to_vec();
+    let mut words: Vec<OsString> =
+        [compiler, "-O2", standard, "-ffp-contract=off", "-pipe", "-I."].map(OsString::from).to_vec();
     words.extend(is_library.then_some(["-shared", "-fPIC"]).into_iter().flatten().map(OsString::from));
     words.extend([OsString::from("-o"), program.clone().into()]);
     // A name may begin with a dash: it is a file all the same.
@@ -255,7 +267,9 @@ fn compile(words: &[OsString], cell: &Path, sandbox: &Sandbox, lent: Vec<PathBuf
     match run.failure {
         None => Ok(()),
         Some(ExternalFailure::Exited { .. }) => {
-            Err(NotBuilt::Refused(format!("It does not compile.\n{}", shown(&run.stderr))))
+            // The name of a cell is chance, and two runs must say the same.
+            let said = run.stderr.replace(&format!("{}/", cell.display()), "");
+            Err(NotBuilt::Refused(format!("It does not compile.\n{}", shown(&said))))
         }
         Some(failure) => Err(NotBuilt::Refused(format!("The compiler was stopped: {failure}"))),
     }

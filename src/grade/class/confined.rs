@@ -2,8 +2,9 @@
 //!
 //! DrawList -CONFINED-> jail -> Picture, or the reason why there is none
 //!
-//! One that hangs would be waited for at each of a hundred pictures. So after some time-outs, or when the time for all pictures is
-//! used up, the rest is not asked for any more: its points are lost, and the class goes on.
+//! One that hangs would be waited for at each of a hundred pictures, and one that fills its memory takes a second for each. So after some
+//! time-outs, after many failures and no picture at all, or when the time for all pictures is used up, the rest is not asked for any more: its
+//! points are lost, and the class goes on.
 
 use super::Sandbox;
 use super::build::Built;
@@ -23,8 +24,10 @@ use std::time::{Duration, Instant};
 
 /// Time-outs after which nothing more is asked.
 const PATIENCE: u32 = 2;
+/// Failures after which nothing more is asked of one that has not drawn a single picture. Counted, so that no busy machine changes a grade.
+const FRUITLESS: usize = 24;
 /// Time for all pictures of a submission together.
-const ALL: Duration = Duration::from_secs(120);
+const ALL: Duration = Duration::from_secs(300);
 /// Lists in one run.
 const BATCH: usize = 24;
 
@@ -39,6 +42,11 @@ pub(super) struct Confined {
     is_trusted: Cell<bool>,
     time_outs: Cell<u32>,
     used: Cell<Duration>,
+    /// How often it failed before its first picture; none once there was one.
+    fruitless: Cell<Option<usize>>,
+    last: RefCell<Option<Failure>>,
+    /// How its cell's path begins: chance, which no report repeats.
+    place: String,
     /// Names of failures by what they say.
     failures: RefCell<BTreeMap<String, &'static str>>,
 }
@@ -72,6 +80,9 @@ impl Confined {
             is_trusted: Cell::default(),
             time_outs: Cell::default(),
             used: Cell::default(),
+            fruitless: Cell::new(Some(0)),
+            last: RefCell::default(),
+            place: format!("{}/", cell.display()),
             failures: RefCell::default(),
         }
     }
@@ -83,6 +94,9 @@ impl Confined {
 
     /// Why nothing is asked any more.
     fn impatient(&self) -> Option<Failure> {
+        if self.fruitless.get().is_some_and(|count| count >= FRUITLESS) {
+            return self.last.borrow().clone();
+        }
         let words = if self.time_outs.get() >= PATIENCE {
             format!("not asked for any more, after {PATIENCE} pictures that did not come in time")
         } else if self.used.get() > ALL {
@@ -95,6 +109,7 @@ impl Confined {
     }
 
     fn seen(&self, answer: &external::Answer, sheet: &Sheet) -> Answer {
+        self.fruitless.set(None);
         let picture = answer.image.average(sheet.samples as usize).encode(Encoding::Linear);
         let puts = remark(answer).filter(|_| self.watcher.is_some()).map(|remark| {
             let stray_writes = remark.stray;
@@ -147,9 +162,13 @@ impl Subject for Confined {
             if failure.name() == "time-out" {
                 self.time_outs.set(self.time_outs.get() + 1);
             }
-            let message = failure.to_string();
+            let message = failure.to_string().replace(&self.place, "");
             self.failures.borrow_mut().insert(message.clone(), failure.name());
-            Failure { message, hint: "Draw the file of this case alone: farop suite writes it.".to_string() }
+            let failed =
+                Failure { message, hint: "Draw the file of this case alone: farop suite writes it.".to_string() };
+            self.fruitless.set(self.fruitless.get().map(|count| count + 1));
+            *self.last.borrow_mut() = Some(failed.clone());
+            failed
         })?;
         Ok(self.seen(&answer, sheet))
     }

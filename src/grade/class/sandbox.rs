@@ -85,7 +85,7 @@ impl Sandbox {
             memory: 4 << 30,
             output: 1 << 20,
             file: 256 << 20,
-            strict: Some(self.strict(cell, Work::Build, lent)),
+            strict: Some(Box::new(self.strict(cell, Work::Build, lent))),
             ..Limits::default()
         }
     }
@@ -93,7 +93,7 @@ impl Sandbox {
     /// Limits of a submission that lies in `cell`.
     #[must_use]
     pub fn run(&self, cell: &Path, lent: Vec<PathBuf>) -> Limits {
-        let strict = Some(self.strict(cell, Work::Run, lent));
+        let strict = Some(Box::new(self.strict(cell, Work::Run, lent)));
         Limits { wall: self.time, strict, ..Limits::default() }
     }
 

@@ -33,7 +33,7 @@ pub fn enter(arguments: &[OsString]) -> u8 {
         return 2;
     };
     // What is lent must be open before this process is somebody else.
-    let lent = limits.strict.as_ref().map(Lent::open).unwrap_or_default();
+    let lent = limits.strict.as_deref().map(Lent::open).unwrap_or_default();
     let enforced = restrict(&limits);
     let _ = writeln!(std::io::stderr(), "{REPORT}{}", enforced.words());
     let mut command = Command::new(lent.renamed(program));
@@ -69,7 +69,7 @@ fn restrict(_: &Limits) -> Enforced {
 #[cfg(target_os = "linux")]
 fn restrict(limits: &Limits) -> Enforced {
     use super::confine;
-    let strict = limits.strict.as_ref();
+    let strict = limits.strict.as_deref();
     // In this order: who is no longer root cannot open all that is lent, and the last filter ends it.
     Enforced {
         resources: confine::resources(limits).is_ok(),

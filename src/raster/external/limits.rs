@@ -21,7 +21,7 @@ pub struct Limits {
     /// Folders and files it may read; empty: all of them.
     pub readable: Vec<PathBuf>,
     /// How a submission that is graded is held; none for programs that users start for themselves.
-    pub strict: Option<Strict>,
+    pub strict: Option<Box<Strict>>,
 }
 
 impl Default for Limits {
@@ -70,7 +70,7 @@ impl Limits {
         if strict.is_empty() {
             return Some(Limits { readable: paths.iter().map(PathBuf::from).collect(), ..limits });
         }
-        Some(Limits { strict: Some(Strict::from_arguments(strict, paths)?), ..limits })
+        Some(Limits { strict: Some(Box::new(Strict::from_arguments(strict, paths)?)), ..limits })
     }
 }
 
@@ -187,7 +187,7 @@ mod tests {
         assert_eq!(Limits::from_arguments(&["1,2".into()]), None);
         let (folder, lent) = ("/tmp/a b".into(), vec!["/opt/x".into()]);
         let strict = Strict { folder, work: Work::Build, lent, user: Some(9), may_miss: false };
-        let limits = Limits { strict: Some(strict), ..Limits::default() };
+        let limits = Limits { strict: Some(Box::new(strict)), ..Limits::default() };
         let read = Limits::from_arguments(&limits.to_arguments()).expect("our own words");
         assert_eq!(read, Limits { wall: limits.wall * 4, ..limits });
     }
