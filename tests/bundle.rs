@@ -213,7 +213,8 @@ fn wrong_orders_are_explained() {
     assert!(outcome.code == 2 && outcome.stderr.contains("does not compile"), "{}", outcome.stderr);
     let value: Value = serde_json::from_slice(&desk.read("p.json")).expect("JSON");
     assert!(
-        value["gradable"] == false && value["format_errors"][0].as_str().is_some_and(|text| text.contains("'x'")),
+        value["gradable"] == false
+            && value["format_errors"][0].as_str().is_some_and(|text| text.contains("undeclared")),
         "{value}"
     );
 }

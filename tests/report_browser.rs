@@ -142,7 +142,34 @@ fn a_click_asks_about_the_pixel_under_it() {
             .any(|&at| hash == format!("#inspect={number},{},{}", place_of(shot, at).0, place_of(shot, at).1)),
         "{hash}"
     );
+    ties_are_decided_alike(&mut page, &shots);
     nothing_came_in(&mut page);
+}
+
+/// The yellow sample points are those that the tie rule covers, in whole pictures, centers on edges included.
+fn ties_are_decided_alike(page: &mut Page, shots: &[&Shot]) {
+    page.value(
+        "for (let times = 0; times < 12; times++) document.querySelector('#inspector button[title=smaller]').click()",
+    );
+    let small = |shot: &Shot| shot.case.samples == 1 && shot.case.width <= 25 && shot.case.height <= 25;
+    let on_edges = |shot: &Shot| {
+        let list = shot.case.list(Accepts::AnyPolygon);
+        let mut all = (0..shot.case.height as i32).flat_map(|y| (0..shot.case.width as i32).map(move |x| (x, y)));
+        all.any(|(x, y)| explain(&list, x, y).candidates.iter().any(|candidate| candidate.edges.contains(&0.0)))
+    };
+    let ties: Vec<_> = shots.iter().enumerate().filter(|(_, shot)| small(shot) && on_edges(shot)).collect();
+    assert!(ties.len() >= 3, "{}", ties.len());
+    for (number, shot) in ties.into_iter().take(6) {
+        page.value(&format!("location.hash = '#inspect={number},0,0'; dispatchEvent(new Event('hashchange'))"));
+        let path = page.text("document.querySelector('#inspector path.inside').getAttribute('d')");
+        let list = shot.case.list(Accepts::AnyPolygon);
+        let covered = |x: i32, y: i32| !explain(&list, x, y).candidates.is_empty();
+        for y in 0..shot.case.height as i32 {
+            for x in 0..shot.case.width as i32 {
+                assert_eq!(path.contains(&format!("M{x}.5 {y}.5h0")), covered(x, y), "{}: {x},{y}", shot.case.name);
+            }
+        }
+    }
 }
 
 /// Nobody's words ran, and nothing was fetched but the file itself.

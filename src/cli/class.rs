@@ -47,16 +47,8 @@ pub(super) struct ClassOptions {
 
 impl ClassOptions {
     /// What holds submissions and what compiles them.
-    pub fn sandbox(&self) -> Result<(Sandbox, Tools), CliError> {
-        let sandbox = Sandbox::new(self.as_root, self.unsafe_no_sandbox).map_err(CliError::failed)?;
-        let sandbox = match self.time {
-            Some(seconds) => sandbox.with_time(std::time::Duration::from_secs(seconds)),
-            None => sandbox,
-        };
-        for name in sandbox.missing() {
-            notice(&format!("submissions are not held by this layer: {name}"));
-        }
-        Ok((sandbox, Tools::find(self.library.as_deref())))
+    pub fn holders(&self) -> Result<(Sandbox, Tools), CliError> {
+        Ok((self.sandbox()?, Tools::find(self.library.as_deref())))
     }
 
     /// Grades the class, or scores it anew.
@@ -74,7 +66,7 @@ impl ClassOptions {
                 folder.display()
             )));
         }
-        let (sandbox, tools) = self.sandbox()?;
+        let (sandbox, tools) = self.holders()?;
         let has_rust = submissions.iter().any(|submission| holds_rust(&submission.path));
         if let Some(trouble) = tools.trouble().filter(|_| has_rust) {
             return Err(CliError::failed(trouble));

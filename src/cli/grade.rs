@@ -187,7 +187,7 @@ impl GradeCommand {
 
     /// Grades what lies in `path`.
     fn judge_submission(&self, path: &Path, (lab, rubric): (&Lab, &Rubric)) -> Result<Judged, CliError> {
-        let (sandbox, tools) = self.class.sandbox()?;
+        let (sandbox, tools) = self.class.holders()?;
         let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
         let ledger = Ledger::new(&self.results, (lab, rubric), (&name, self.seed), false).held_by(sandbox.layers());
         let mut fill = |subject: &dyn Subject| ledger.fill(&mut |request, keep| grade::grade(subject, request, keep));

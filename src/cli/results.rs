@@ -68,6 +68,9 @@ fn write(path: &Path, text: &str) -> Result<(), CliError> {
     Ok(save::write_whole(path, text.as_bytes())?)
 }
 
+/// Something that grades, and hands on the verdict so far.
+type Grader<'a> = dyn FnMut(&Request<'_>, &mut dyn FnMut(&Verdict)) -> Verdict + 'a;
+
 /// A grade in the making, by visible probes and by hidden ones, written to files as it grows.
 pub(super) struct Ledger<'a> {
     options: &'a ResultOptions,
@@ -101,10 +104,7 @@ impl<'a> Ledger<'a> {
     }
 
     /// Grades by visible probes, then by hidden ones; the first failure to write is told at the end, and the grade goes on.
-    pub fn fill(
-        &self,
-        grade: &mut dyn FnMut(&Request<'_>, &mut dyn FnMut(&Verdict)) -> Verdict,
-    ) -> Result<(Verdict, Option<Verdict>), CliError> {
+    pub fn fill(&self, grade: &mut Grader<'_>) -> Result<(Verdict, Option<Verdict>), CliError> {
         let hidden_lab = self.lab.hidden();
         let points = |aspect: &crate::grade::labs::Aspect| self.rubric.points(aspect) * (1.0 - self.share(aspect));
         let hidden_points = |aspect: &crate::grade::labs::Aspect| self.rubric.points(aspect) * self.share(aspect);

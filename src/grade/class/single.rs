@@ -35,7 +35,6 @@ pub fn with_submission<R>(
     match build::build(&files, cell.path(), &class) {
         Ok(Built::Function(_)) => Err("a function is no rasterizer".to_string()),
         Ok(built) => Ok(grade(&Confined::new(built, sandbox, cell.path()))),
-        Err(build::NotBuilt::Nothing(words)) => Err(words),
-        Err(build::NotBuilt::Refused(words)) => Err(format!("it does not compile:\n{words}")),
+        Err(build::NotBuilt::Nothing(words) | build::NotBuilt::Refused(words)) => Err(words),
     }
 }

@@ -52,12 +52,10 @@ pub(super) enum Extent {
 #[must_use]
 pub fn report<'a>(results: impl Into<Results<'a>>) -> String {
     let results: Results<'a> = results.into();
-    let extents = [Extent::All, Extent::Wrong, Extent::Few, Extent::One];
-    let mut pages = extents.iter().map(|&extent| with_extent(&results, extent));
     let mut text = String::new();
     // The last one is taken whatever its size.
-    while let Some(next) = pages.next() {
-        text = next;
+    for extent in [Extent::All, Extent::Wrong, Extent::Few, Extent::One] {
+        text = with_extent(&results, extent);
         if text.len() <= MOST_BYTES {
             break;
         }
