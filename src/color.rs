@@ -7,9 +7,10 @@
 //!
 //! Source: IEC 61966-2-1 (1999), sRGB transfer curve.
 
+mod levels;
+
 use crate::math::pow;
 use std::ops::{Add, AddAssign, Mul, Sub};
-use std::sync::OnceLock;
 
 /// Red, green and blue. `Rgb` (in `f64`) for scenes and lighting, `Rgb<f32>` for pixels. Linear light unless said otherwise.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -160,37 +161,12 @@ impl Encoding {
 
     /// The 8-bit display level nearest to a channel of light; below 0 gives 0, above 1 gives 255.
     #[must_use]
+    #[inline]
     pub fn level(self, light: f32) -> u8 {
         match self {
-            // The cast cuts at 0 and 255, and drops what is behind the point: halves go up.
-            Encoding::Linear => (f64::from(light) * 255.0 + 0.5) as u8,
-            Encoding::Srgb => srgb_level(light, srgb_table()),
+            Encoding::Linear => levels::linear(light),
+            Encoding::Srgb => levels::srgb(light, levels::table()),
         }
-    }
-
-    /// The levels of pixels: [`Encoding::level`] of every channel, red, green, blue, pixel after pixel.
-    ///
-    /// What is missing in `bytes` or `light` is left out.
-    pub fn levels(self, light: &[Rgb<f32>], bytes: &mut [u8]) {
-        match self {
-            Encoding::Linear => each_pixel(light, bytes, |channel| self.level(channel)),
-            Encoding::Srgb => {
-                let table = srgb_table();
-                each_pixel(light, bytes, |channel| srgb_level(channel, table));
-            }
-        }
-    }
-}
-
-#[inline]
-fn each_pixel(light: &[Rgb<f32>], bytes: &mut [u8], level: impl Fn(f32) -> u8) {
-    let (mut last, mut shown) = (Rgb::gray(0.0), [level(0.0); 3]);
-    for (bytes, &light) in bytes.chunks_exact_mut(3).zip(light) {
-        // Neighbors are often equal: background, flat faces.
-        if light != last {
-            (last, shown) = (light, light.to_array().map(&level));
-        }
-        bytes.copy_from_slice(&shown);
     }
 }
 
@@ -200,54 +176,6 @@ fn srgb_decode(display: f64) -> f64 {
 
 fn srgb_encode(light: f64) -> f64 {
     if light <= 0.003_130_8 { light * 12.92 } else { 1.055 * pow(light, 1.0 / 2.4) - 0.055 }
-}
-
-#[inline]
-fn srgb_level(light: f32, table: &SrgbTable) -> u8 {
-    // Also sends NaN to 0.
-    let bits = if light > 0.0 { light.to_bits().clamp(DARK, ONE) } else { DARK };
-    ((table[((bits - DARK) >> 16) as usize] + (bits & 0xFFFF)) >> 16) as u8
-}
-
-/// The bits of 2^-13: all light up to there is level 0.
-const DARK: u32 = 0x3900_0000;
-/// The bits of 1: all light from there on is level 255.
-const ONE: u32 = 0x3F80_0000;
-
-/// The curve without a power per channel, which would cost more than rasterizing it, and without a branch.
-///
-/// The bits of an `f32` grow with it. Their upper half chooses an entry, a range of light so narrow that at most one level begins in it
-/// (tests try every range). An entry has the level at its start in its upper half, and in its lower half what must be added to the lower half
-/// of the light's bits for a carry where the next level begins: one sum and one shift are the level.
-/// Source: Giesen, "Float to sRGB8 conversions", 2012, who fits lines; ours are steps, and exact.
-type SrgbTable = [u32; ((ONE - DARK) >> 16) as usize + 1];
-
-fn srgb_table() -> &'static SrgbTable {
-    static TABLE: OnceLock<SrgbTable> = OnceLock::new();
-    TABLE.get_or_init(|| {
-        // The smallest lights of levels 1 to 255.
-        let thresholds: [f32; 255] = std::array::from_fn(|index| srgb_threshold((index + 1) as f64));
-        std::array::from_fn(|index| {
-            let start = DARK + ((index as u32) << 16);
-            let level = thresholds.partition_point(|threshold| threshold.to_bits() <= start);
-            let next = thresholds.get(level).map_or(u32::MAX, |threshold| threshold.to_bits());
-            let carry = 0x1_0000 - (next - start).min(0x1_0000);
-            (level as u32) << 16 | carry
-        })
-    })
-}
-
-/// The smallest light whose encoded value rounds to `level`: the curve is monotone, so there is one.
-fn srgb_threshold(level: f64) -> f32 {
-    let rounds_to_at_least = |light: f32| (srgb_encode(f64::from(light)) * 255.0).round() >= level;
-    let mut light = srgb_decode((level - 0.5) / 255.0) as f32;
-    while rounds_to_at_least(light.next_down()) {
-        light = light.next_down();
-    }
-    while !rounds_to_at_least(light) {
-        light = light.next_up();
-    }
-    light
 }
 
 #[cfg(test)]
@@ -261,35 +189,6 @@ mod tests {
             let rounded = (srgb_encode(f64::from(light)) * 255.0).round().clamp(0.0, 255.0) as u8;
             assert_eq!(Encoding::Srgb.level(light), rounded, "light {light}");
             light += 1.7e-5;
-        }
-    }
-
-    #[test]
-    fn one_level_at_most_begins_in_a_range() {
-        let thresholds: Vec<f32> = (1..=255).map(|level| srgb_threshold(f64::from(level))).collect();
-        assert!(thresholds[0].to_bits() > DARK && thresholds[254] < 1.0);
-        for pair in thresholds.windows(2) {
-            assert!(pair[1].to_bits() >> 16 > pair[0].to_bits() >> 16, "{pair:?}");
-        }
-        // Where each begins, and its neighbors among the floats, alone and as pixels.
-        for (index, &threshold) in thresholds.iter().enumerate() {
-            let level = index as u8 + 1;
-            assert_eq!(Encoding::Srgb.level(threshold), level);
-            assert_eq!(Encoding::Srgb.level(threshold.next_down()), level - 1);
-            assert_eq!(Encoding::Srgb.level(threshold.next_up()), level);
-        }
-    }
-
-    #[test]
-    fn pixels_have_the_levels_of_their_channels() {
-        let mut lights: Vec<Rgb<f32>> = (0..900).map(|k| Rgb::new(k as f32 * 1.3e-3, k as f32 * -7e-4, 1.0)).collect();
-        lights.extend([Rgb::gray(f32::NAN), Rgb::gray(-0.0), Rgb::gray(0.0), Rgb::gray(f32::INFINITY)]);
-        lights.extend([Rgb::gray(0.25), Rgb::gray(0.25), Rgb::new(0.25, 0.25, 0.5)]);
-        for encoding in [Encoding::Srgb, Encoding::Linear] {
-            let mut bytes = vec![7; lights.len() * 3];
-            encoding.levels(&lights, &mut bytes);
-            let each = lights.iter().flat_map(|light| light.to_array().map(|channel| encoding.level(channel)));
-            assert!(bytes.into_iter().eq(each));
         }
     }
 

@@ -244,6 +244,26 @@ fn rasterizers_draw_the_same_bytes() {
     }
 }
 
+/// Glass in pictures: fragments are kept apart, and wear them like anything else.
+#[test]
+fn transparent_surfaces_wear_pictures() {
+    let checked = stripes(4, RED, GREEN);
+    let textures = vec![
+        Texture { texels: checked.clone(), ..Texture::opaque("pane", even(RED)) },
+        Texture { texels: checked, ..Texture::cut_out("holes", even(RED), 0.5) }.faded(2, 13),
+    ];
+    let glass = |texture| Material { opacity: Rgb::gray(0.5), ..glowing(texture) };
+    let meshes = vec![(screen(4.0, 3), glowing(0)), (screen(3.0, 4), glass(0)), (screen(2.0, 5), glass(1))];
+    let scene = with_pictures(24, meshes, textures);
+    for (samples, shading) in [(1, Shading::Gouraud), (2, Shading::Phong), (3, Shading::Flat)] {
+        let choices = Choices { samples, shading, ..linear() };
+        let by = |rasterizer: &dyn Rasterizer| render(&scene, &choices, Some(rasterizer)).expect("a view").image;
+        let expected = by(&ZBuffer);
+        assert!(expected.pixels().iter().all(|pixel| pixel.b < 1e-6), "no light of their own shows");
+        assert!(by(&Fast::default()) == expected && by(&Watkins) == expected, "{shading:?}");
+    }
+}
+
 #[test]
 fn the_landscape_looks_so() {
     let choices = Choices { samples: 2, ..Choices::default() };

@@ -3,17 +3,20 @@
 
 mod support;
 
+use farop::color::Rgb;
 use farop::lab::check::random_scenes::{choices, hard};
+use farop::math::Vec3;
 use farop::plan::{Choices, Culling, DepthFormat, Interpolation, Shading};
 use farop::raster::fast::{Fast, Instructions};
 use farop::raster::{Frame, Rasterizer, ZBuffer};
 use farop::render::{Canvas, Rendered, draw, render};
-use farop::scene::Scene;
+use farop::scene::{Material, Mesh, NormalSource, Scene};
 use farop::spd::Curves;
 use farop::spd::SMALL;
 use support::built_in::built_in;
 use support::census::{Census, census};
 use support::mixed::Mix;
+use support::scenes::{camera, scene, surface, world};
 
 fn drawn(scene: &Scene, choices: &Choices, rasterizer: &dyn Rasterizer) -> Rendered {
     render(scene, choices, Some(rasterizer)).unwrap_or_else(|error| panic!("{error}"))
@@ -159,6 +162,31 @@ fn memory_of_other_pictures_leaves_no_trace() {
             let scene = Mix { seed, polygons: 30, transparent: seed == 3, ..Mix::default() }.scene(side);
             compare("reused", &scene, &Choices { depth, threads: Some(2), ..Choices::default() }, &fast);
         }
+    }
+}
+
+/// Steps of eight samples in which one polygon has the same color all over and its neighbor has not.
+#[test]
+fn even_and_varying_side_by_side() {
+    let (mut even, mut varying) = (Mesh::default(), Mesh::default());
+    for strip in 0..24_u32 {
+        let left = f64::from(strip) / 12.0 - 1.0;
+        let mesh = if strip % 2 == 0 { &mut even } else { &mut varying };
+        let corners = [(left, -1.0), (left + 1.0 / 12.0, -1.0), (left + 1.0 / 12.0, 1.0), (left, 1.0)];
+        let corners = corners.map(|(x, y)| {
+            let w = 2.0 + 0.5 * x + 0.25 * y;
+            mesh.push_vertex(world(Vec3::new(x * w, y * w, w)))
+        });
+        mesh.push_polygon(&corners[..3], NormalSource::Facet, strip);
+        mesh.push_polygon(&[corners[0], corners[2], corners[3]], NormalSource::Facet, strip);
+    }
+    let glowing = Material { ambient: Some(1.0), diffuse: 0.0, color: Rgb::new(0.3, 0.6, 0.9), ..Material::default() };
+    let surfaces = vec![surface(glowing, even), surface(Material::default(), varying)];
+    let scene = scene(camera(64, 64), surfaces);
+    for number in 0..8 {
+        let (fast, threads) = ways(number);
+        let samples = 1 + number as u32 % 2;
+        compare("strips", &scene, &Choices { samples, threads, ..Choices::default() }, &fast);
     }
 }
 

@@ -177,6 +177,23 @@ mod tests {
     use super::*;
 
     #[test]
+    fn threads_change_no_level() {
+        let mut image = Image::new(701, 300, Rgb::gray(0.0));
+        for (index, pixel) in image.pixels_mut().iter_mut().enumerate() {
+            *pixel = Rgb::new((index % 997) as f32 / 990.0, (index % 89) as f32 / 88.0, 0.5);
+        }
+        let by = |threads| {
+            let mut bytes = vec![3; 5];
+            image.encode_into(Encoding::Srgb, threads, &mut bytes);
+            bytes
+        };
+        let one = by(1);
+        assert_eq!(one.len(), 701 * 300 * 3);
+        assert!([0, 2, 3, 64].into_iter().all(|threads| by(threads) == one));
+        assert_eq!(one[3 * 996], Encoding::Srgb.level(996.0 / 990.0));
+    }
+
+    #[test]
     fn rows_are_counted_from_the_top() {
         let mut image = Image::new(3, 2, Rgb::gray(0.0));
         image.set_pixel(2, 0, Rgb::new(1.0, 0.0, 0.0));

@@ -12,7 +12,7 @@ use super::random_meshes::{mesh, mesh_choices};
 use super::random_scenes::{choices, hard};
 use crate::image::textures::{FirstRow, Mosaic, Texels, Tile, Wrap};
 use crate::math::Vec3;
-use crate::plan::{AlphaRule, Choices, Interpolation, TextureFilter};
+use crate::plan::{AlphaRule, Choices, Interpolation, Shading, TextureFilter};
 use crate::scene::{CutOut, Fade, Mesh, Scene, Texture, TextureId};
 use std::sync::Arc;
 
@@ -31,7 +31,7 @@ pub(super) fn dressed(seed: u64) -> (Scene, Choices) {
             scene.textures.push(texture(&mut random));
         }
     }
-    let choices = Choices {
+    let mut choices = Choices {
         samples: 1 + random.below(4) as u32,
         texture_filter: TextureFilter::ALL[random.below(TextureFilter::ALL.len() as u64) as usize],
         alpha: AlphaRule::ALL[random.below(AlphaRule::ALL.len() as u64) as usize],
@@ -42,6 +42,11 @@ pub(super) fn dressed(seed: u64) -> (Scene, Choices) {
         },
         ..plain
     };
+    // Along scan lines run values that vary, over whole polygons.
+    if choices.interpolation == Interpolation::ScanLine {
+        choices.triangles = false;
+        choices.shading = [Shading::Gouraud, Shading::Phong][random.below(2) as usize];
+    }
     (scene, choices)
 }
 

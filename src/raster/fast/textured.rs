@@ -129,7 +129,7 @@ impl Samples<'_> {
             let veil = self.veils[number];
             let (row, column) = (veil.index / self.stride as u32, veil.index % self.stride as u32);
             let sample = (self.area.columns.start + column as i32, self.area.rows.start + row as i32);
-            let place = Place::kept(&mut places[(sample.0 / BLOCK & 1) as usize], list, polygon, sample);
+            let place = Place::kept(&mut places[((sample.0 / BLOCK) & 1) as usize], list, polygon, sample);
             let uv = place.uv(sample, veil.depth as f32);
             if !list.shader.is_there_at(&place.polygon, sample, veil.depth, uv) {
                 continue;
