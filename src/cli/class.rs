@@ -51,6 +51,18 @@ impl ClassOptions {
         Ok((self.sandbox()?, Tools::find(self.library.as_deref())))
     }
 
+    /// What holds the submissions; a layer that is missing and may be is told.
+    fn sandbox(&self) -> Result<Sandbox, CliError> {
+        let sandbox = Sandbox::new(self.as_root, self.unsafe_no_sandbox).map_err(CliError::failed)?;
+        for name in sandbox.missing() {
+            notice(&format!("submissions are not held by this layer: {name}"));
+        }
+        Ok(match self.time {
+            Some(seconds) => sandbox.with_time(std::time::Duration::from_secs(seconds)),
+            None => sandbox,
+        })
+    }
+
     /// Grades the class, or scores it anew.
     pub fn run(&self, lab: &Lab, (seed, rubric): (u64, Option<&Path>), json: bool) -> Result<(), CliError> {
         let folder = self.folder.clone().unwrap_or_default();
