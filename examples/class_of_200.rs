@@ -56,7 +56,10 @@ fn main() {
     wrong.iter().for_each(|line| println!("  {line}"));
     println!("files left by attacks: {:?}", places.left_behind());
     println!("processes left: {:?}", processes());
-    std::process::exit(i32::from(!wrong.is_empty() || !places.left_behind().is_empty() || !processes().is_empty()));
+    let is_bad = !wrong.is_empty() || !places.left_behind().is_empty() || !processes().is_empty();
+    // `exit` would leave the folder behind.
+    drop(desk);
+    std::process::exit(i32::from(is_bad));
 }
 
 /// The program two folders up: examples lie in `target/PROFILE/examples`.

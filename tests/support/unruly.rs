@@ -153,7 +153,7 @@ pub fn unruly(places: &Places) -> Vec<Kind> {
             "floods_memory",
             Worth::None("memory"),
             "zbuffer.py",
-            "kept = []\nwhile True: kept.append(bytearray(1 << 24))\n".to_string(),
+            "kept = []\nwhile True: kept.append(bytearray(1 << 27))\n".to_string(),
         ),
         one(
             "floods_disk",
