@@ -208,6 +208,6 @@ mod tests {
         assert_eq!((&class["causes"][0]["points_lost"], &class["causes"][0]["kind"]), (&json!(6.0), &json!("named")));
         assert_eq!((&class["points"]["median"], &class["points"]["passed"]), (&json!(17.0), &json!(1)));
         let text = summary(&class);
-        assert!(text.contains("An?a") && text.contains("tie") == false && !text.contains('\u{1b}'), "{text}");
+        assert!(text.contains("An?a") && !text.contains("tie") && !text.contains('\u{1b}'), "{text}");
     }
 }
