@@ -172,7 +172,7 @@ mod tests {
                 let expected = (0..).zip(outside).fold(0, |code, (plane, out)| code | u8::from(out) << plane);
                 assert_eq!(codes[number], expected);
             }
-            assert!(codes.iter().any(|&code| code == 0) && codes.iter().any(|&code| code != 0));
+            assert!(codes.contains(&0) && codes.iter().any(|&code| code != 0));
         }
     }
 }

@@ -101,8 +101,11 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// The chunks of some bytes: tag and contents, in order.
-pub(super) fn chunks(bytes: &[u8]) -> Result<Vec<([u8; 4], &[u8])>, String> {
+/// A tag and what it stands before.
+pub(super) type Chunk<'a> = ([u8; 4], &'a [u8]);
+
+/// The chunks of some bytes, in order.
+pub(super) fn chunks(bytes: &[u8]) -> Result<Vec<Chunk<'_>>, String> {
     let mut reader = Reader::new(bytes, "chunks");
     let mut found = Vec::new();
     while !reader.is_empty() {
@@ -114,7 +117,7 @@ pub(super) fn chunks(bytes: &[u8]) -> Result<Vec<([u8; 4], &[u8])>, String> {
 }
 
 /// The contents of the chunk of that tag; `None` where there is none.
-pub(super) fn chunk<'a>(chunks: &[([u8; 4], &'a [u8])], tag: &[u8; 4]) -> Option<&'a [u8]> {
+pub(super) fn chunk<'a>(chunks: &[Chunk<'a>], tag: &[u8; 4]) -> Option<&'a [u8]> {
     chunks.iter().find(|(found, _)| found == tag).map(|&(_, contents)| contents)
 }
 

@@ -197,7 +197,7 @@ mod tests {
             [[shared, 300.0, 410.0, 420.0], [shared, 2000.0, 1.0, 7.0]].map(|heights| lattice([2, 2], &heights));
         assert_eq!(left.sample(0, 0).to_bits(), right.sample(0, 0).to_bits());
         assert!((left.sample(0, 0) - shared).abs() <= STEP / 2.0);
-        assert_eq!(lattice([2, 2], &[f64::NAN; 4]).sample(0, 0).is_nan(), true);
+        assert!(lattice([2, 2], &[f64::NAN; 4]).sample(0, 0).is_nan());
         let high = lattice([2, 2], &[-9000.0, 9000.0, 0.0, 0.5]);
         assert_eq!(high.sample(1, 0), 9000.0);
     }

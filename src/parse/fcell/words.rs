@@ -68,7 +68,7 @@ impl<'a> Words<'a> {
             let end = text.trim_ascii_end().len();
             return Word { bytes: b"", span: Span::new(end, end), is_first: true, is_quoted: false };
         }
-        let line_start = text[self.at..start].iter().any(|&byte| byte == b'\n') || self.at == 0;
+        let line_start = text[self.at..start].contains(&b'\n') || self.at == 0;
         let is_first = line_start || text[..start].last() == Some(&b'\n');
         let tail = &text[start..];
         if tail[0] == b'"' {

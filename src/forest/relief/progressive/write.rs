@@ -79,7 +79,7 @@ fn largest_bound(hierarchy: &Hierarchy<'_>) -> f32 {
 /// The limit of a band: every bound in it, and behind it, is at most this. `largest` times a power of the root of one half.
 fn limit_of(band: u32, largest: f32) -> f32 {
     let half = largest * 0.5_f32.powi(band as i32 / 2);
-    if band % 2 == 0 { half } else { half * std::f32::consts::FRAC_1_SQRT_2 }
+    if band.is_multiple_of(2) { half } else { half * std::f32::consts::FRAC_1_SQRT_2 }
 }
 
 /// The last band whose limit is not below `bound`.
