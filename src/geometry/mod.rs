@@ -11,7 +11,7 @@
 //! sides of the picture at x = +-w and y = +-w, then samples.
 //! Source: Pereira, "FAROP", IST/INESC 1996, section 4.3.2.
 //! Cost: linear in vertices and polygons; nothing is allocated per polygon, vertices shared inside a surface are moved and lit once,
-//! and only those are lit that a polygon in view asks for. `docs/geometry.md` has the figures.
+//! and only those are lit that a polygon in view asks for. `docs/fast.md` and `docs/benchmarks.md` have the figures.
 
 mod asked;
 pub mod clip;
