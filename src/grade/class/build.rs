@@ -43,7 +43,8 @@ impl Tools {
 
 fn find_rust(library: Option<&Path>) -> Result<Rust, String> {
     let program = std::env::current_exe().unwrap_or_default();
-    let has_library = |folder: &Path| folder.join("libfarop.rlib").is_file() && folder.join("deps").is_dir();
+    // `cargo build` puts the library beside the program, `cargo test` only into `deps`.
+    let has_library = |folder: &Path| newest(folder).is_some_and(|library| library.is_file());
     let folder = match library {
         Some(named) => Some(named).filter(|named| has_library(named)),
         None => program.ancestors().skip(1).take(3).find(|folder| has_library(folder)),
