@@ -105,15 +105,13 @@ pub fn area(ring: &[Point]) -> f64 {
     0.5 * edges(ring).map(cross).sum::<f64>()
 }
 
-/// The most corners a polygon may have to be asked for crossings: the test looks at pairs of edges.
-pub const MOST_CORNERS: usize = 100_000;
-
 /// Two edges of a polygon that meet where they should not: numbers of their first corners, counted through the rings, outer first.
 ///
 /// Edges that follow each other may share their corner; all other edges must not even touch, and no edge may have length 0 or fold back.
 /// Pairs are looked at from the left, and only as long as they overlap in x: n log n for outlines as they are drawn, n squared at worst.
-#[must_use]
-pub fn self_crossing(outer: &[Point], holes: &[Vec<Point>]) -> Option<[usize; 2]> {
+/// Tests ask it about invented land; files are asked by their reader, which knows places and says what is wrong.
+#[cfg(test)]
+pub(in crate::forest) fn self_crossing(outer: &[Point], holes: &[Vec<Point>]) -> Option<[usize; 2]> {
     let mut all: Vec<(Point, Point, usize, usize)> = Vec::new();
     for ring in std::iter::once(outer).chain(holes.iter().map(Vec::as_slice)) {
         let start = all.len();
@@ -146,12 +144,14 @@ pub fn self_crossing(outer: &[Point], holes: &[Vec<Point>]) -> Option<[usize; 2]
 }
 
 /// Whether walking on from `b` to `c` goes back over the way from `a`.
+#[cfg(test)]
 fn folds_back(a: Point, b: Point, c: Point) -> bool {
     let ahead = (0..2).map(|axis| (b[axis] - a[axis]) * (c[axis] - b[axis])).sum::<f64>();
     turn(a, b, c) == Ordering::Equal && ahead <= 0.0
 }
 
 /// Whether two closed segments have a point in common.
+#[cfg(test)]
 fn touch(a: Point, b: Point, c: Point, d: Point) -> bool {
     let overlap =
         |axis: usize| a[axis].min(b[axis]) <= c[axis].max(d[axis]) && c[axis].min(d[axis]) <= a[axis].max(b[axis]);
