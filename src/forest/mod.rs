@@ -31,4 +31,5 @@ pub mod relief;
 pub mod silhouette;
 pub mod terrain;
 pub mod tree;
+pub mod vector;
 pub mod window;
