@@ -6,12 +6,14 @@
 //! table and no branch, so eight lanes take as long as one; and every rasterizer asks it, so all agree.
 //!
 //! x^y = 2^(y log2 x). The logarithm is that of the fraction, by the series of the inverse hyperbolic tangent, plus the exponent; the power of
-//! two is split into a whole one and the series of the exponential function.
+//! two is split into a whole one and the series of the exponential function. A shine that is a small whole number, as nearly all are, needs
+//! neither: squares and products, a bit of the exponent at a time.
 //!
 //! Error: relative to the result at most 4e-16 (2 + |log2 result|), measured against `libm`: less than 5e-13 wherever the result is a
-//! normal number. Light is rounded to `f32`, 6e-8, afterwards.
+//! normal number. By products at most 1.2e-16 for each of `exponent`, 1.3e-13 at most. Light is rounded to `f32`, 6e-8, afterwards.
 //! Source: the series are L. Euler, "Introductio in analysin infinitorum" I, 1748, chapter 7.
-//! Cost: one division and some seventy other operations, for as many numbers as there are lanes.
+//! Cost: by products, at most two for each bit of the exponent; else one division and some seventy other operations, for as many numbers as there
+//! are lanes.
 
 use crate::screen::lane::Wide;
 use std::f64::consts::{LN_2, SQRT_2};
@@ -39,9 +41,38 @@ const EXPONENTIAL: [f64; 14] = {
     terms
 };
 
+/// Whole exponents from 1 to here are products. Farther up the error of products would pass that of the series.
+const MOST_BY_PRODUCTS: u32 = 1024;
+
 /// `base` to the power of `exponent`; a base that is not above 0 counts as 0, and 0 to the power of 0 is 1.
 #[inline(always)]
 pub(super) fn power<T: Wide>(base: T, exponent: f64) -> T {
+    // Saturates: what is no whole number of 32 bits comes back as another number.
+    let count = exponent as u32;
+    if (1..=MOST_BY_PRODUCTS).contains(&count) && f64::from(count) == exponent {
+        return T::choose(base.above(base.all(0.0)), product(base, count), base.all(0.0));
+    }
+    by_series(base, exponent)
+}
+
+/// `base` times itself, from the exponent's highest bit down. Every product on the way lies between the base and the result, so none is lost below
+/// the smallest number unless the result is.
+#[inline(always)]
+fn product<T: Wide>(base: T, exponent: u32) -> T {
+    let mut result = base;
+    let mut bit = exponent.ilog2();
+    while bit > 0 {
+        bit -= 1;
+        result = result * result;
+        if exponent >> bit & 1 == 1 {
+            result = result * base;
+        }
+    }
+    result
+}
+
+#[inline(always)]
+fn by_series<T: Wide>(base: T, exponent: f64) -> T {
     let [zero, one] = [base.all(0.0), base.all(1.0)];
     let (whole, fraction) = parts(base);
     let s = (fraction - one) / (fraction + one);
@@ -115,8 +146,14 @@ mod tests {
             return 0.0;
         }
         // Results with less than all digits are rounded to steps of 5e-324 besides.
-        let step = if expected < f64::MIN_POSITIVE { 5e-324 } else { 0.0 };
-        ((found - expected).abs() - step) / expected / (4e-16 * (2.0 + expected.log2().abs()))
+        let by_products = exponent.fract() == 0.0 && (1.0..=1024.0).contains(&exponent);
+        let (steps, bound) = match by_products {
+            // The last but one product may have been rounded to such steps, too.
+            true => (2.0, 1.2e-16 * exponent + 4e-16),
+            false => (1.0, 4e-16 * (2.0 + expected.log2().abs())),
+        };
+        let step = if expected < f64::MIN_POSITIVE { steps * 5e-324 } else { 0.0 };
+        ((found - expected).abs() - step) / expected / bound
     }
 
     #[test]
@@ -141,6 +178,22 @@ mod tests {
         }
         println!("worst error {worst:.3} of the bound");
         assert!(normal > 100_000, "{normal}");
+    }
+
+    #[test]
+    fn products_and_series_agree() {
+        for exponent in 1..=1024 {
+            for base in [0.999_f64, 0.9, 0.5, 1.01] {
+                let (product, series) = (product(base, exponent), by_series(base, f64::from(exponent)));
+                assert!(
+                    (product / series - 1.0).abs() < 6e-13,
+                    "{base} to the power of {exponent}: {product:e}, {series:e}"
+                );
+            }
+        }
+        assert_eq!(power(0.75, 1.0), 0.75);
+        assert_eq!(power(0.75, 2.0), 0.5625);
+        assert_eq!(power(f64::NAN, 8.0), 0.0);
     }
 
     #[test]
