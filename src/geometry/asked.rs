@@ -19,6 +19,7 @@ pub(super) struct Asked<'a> {
     pub ready: &'a mut [Ready],
     pub places: &'a mut [[i32; 2]],
     pub corners: &'a mut [SharedCorner],
+    pub uv: &'a mut [[f64; 2]],
     pub asked_light: &'a [(u32, Side)],
     pub lit: &'a mut [[f64; 3]],
     pub factors: &'a mut [[f64; 3]],
@@ -27,12 +28,13 @@ pub(super) struct Asked<'a> {
 impl<'a> Asked<'a> {
     /// The same in `count` parts.
     pub fn parts(self, count: usize) -> Vec<Asked<'a>> {
-        let Asked { positions, normals, asked, ready, places, corners, asked_light, lit, factors } = self;
+        let Asked { positions, normals, asked, ready, places, corners, uv, asked_light, lit, factors } = self;
         let (each, each_light) = (asked.len().div_ceil(count).max(1), asked_light.len().div_ceil(count).max(1));
         let (mut asked, mut asked_light) = (asked.chunks(each), asked_light.chunks(each_light));
         let (mut ready, mut lit) = (ready.chunks_mut(each), lit.chunks_mut(each_light));
         // One or the other is missing.
         let (mut places, mut corners) = (places.chunks_mut(each), corners.chunks_mut(each));
+        let mut uv = uv.chunks_mut(each);
         let mut factors = factors.chunks_mut(each_light);
         let part = |_| Asked {
             positions,
@@ -41,6 +43,7 @@ impl<'a> Asked<'a> {
             ready: ready.next().unwrap_or_default(),
             places: places.next().unwrap_or_default(),
             corners: corners.next().unwrap_or_default(),
+            uv: uv.next().unwrap_or_default(),
             asked_light: asked_light.next().unwrap_or_default(),
             lit: lit.next().unwrap_or_default(),
             factors: factors.next().unwrap_or_default(),
@@ -56,6 +59,13 @@ impl<'a> Asked<'a> {
         }
         if !self.places.is_empty() {
             eight::corners(level, projector, (self.positions, self.asked), (self.places, self.corners));
+        }
+    }
+
+    /// Keeps where in pictures the vertices are.
+    pub fn keep_uv(&mut self, place: impl Fn(u32) -> [f64; 2]) {
+        for (uv, &vertex) in self.uv.iter_mut().zip(self.asked) {
+            *uv = place(vertex);
         }
     }
 

@@ -17,7 +17,7 @@ use super::light::LightWork;
 use super::project::{Corner, Triangles};
 use super::tessellate::Tessellator;
 use super::walk::EyeMesh;
-use super::{EyePolygon, Facing, Part, Setting, Task, Trace, split};
+use super::{EyePolygon, Facing, Part, Setting, Task, Trace, split, wear};
 use crate::color::Rgb;
 use crate::math::Vec3;
 use crate::plan::{ClipPlane, Culling};
@@ -120,7 +120,7 @@ impl Hand {
             survivors.reserve(AT_ONCE);
             self.cull(part, mesh, start..(start + AT_ONCE).min(range.end), setting, &mut survivors);
             mesh.ask(part, &survivors);
-            self.compute(mesh.asked(setting.lighting.carries_factors()), part, setting);
+            self.compute(mesh.asked(setting), part, setting);
             self.emit((part, mesh), &survivors, setting, list);
         }
         self.survivors = survivors;
@@ -130,6 +130,7 @@ impl Hand {
     pub fn compute(&mut self, mut asked: Asked<'_>, part: Part<'_>, setting: &Setting<'_>) {
         let lighting = setting.lighting;
         asked.project(setting.projector, setting.level);
+        asked.keep_uv(|vertex| wear::place(part, vertex));
         let factor = |vertex| lighting.factor(part, vertex).unwrap_or(Rgb::WHITE).to_array();
         asked.keep_factors(factor);
         if lighting.carries_normals() {

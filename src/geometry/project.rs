@@ -66,13 +66,12 @@ impl Projector {
         list.depth_mapping = DepthMapping { format: plan.choices.depth, nearest, farthest };
     }
 
-    /// Lets `list` have shared triangles, if it may: whoever reads them makes planes of colors or normals in `f32`, and has corners in
-    /// 1/256 of a sample.
+    /// Lets `list` have shared triangles, if it may: whoever reads them makes planes in `f32`, and has corners in 1/256 of a sample.
     pub fn share(&self, plan: &Plan, list: &mut DrawList) -> bool {
         let Planes { varying, has_depth, scan_line, ref screen } = self.planes;
-        let colors_only = !matches!(varying, Varying::Nothing) && varying.texture_count() == 0;
+        let is_lit = varying.without_texture() != Varying::Nothing;
         let on_grid = !screen.grid.is_exact() && screen.grid.bits <= 8;
-        let can = has_depth && colors_only && !scan_line && on_grid && plan.choices.depth == DepthFormat::F32;
+        let can = has_depth && is_lit && !scan_line && on_grid && plan.choices.depth == DepthFormat::F32;
         list.shared.projection = can.then_some(self.0);
         can
     }

@@ -95,7 +95,7 @@ impl Crew {
             hand.cull(part, shared, range, setting, survivors);
         });
         survivors.iter().for_each(|survivors| mesh.ask(part, survivors));
-        let asked = mesh.asked(setting.lighting.carries_factors());
+        let asked = mesh.asked(setting);
         share(hands, asked.parts(threads), |hand, asked| hand.compute(asked, part, setting));
         // Light, clipping, splitting, projecting.
         let shared: &EyeMesh = mesh;
@@ -206,6 +206,7 @@ fn join_shared(shared: &mut Shared, part: &Shared, corners: Corners) {
     }));
     shared.places.extend_from_slice(&part.places);
     shared.corners.extend_from_slice(&part.corners);
+    shared.uv.extend_from_slice(&part.uv);
     shared.of_vertices.append(&part.of_vertices);
     shared.own.append(&part.own);
 }

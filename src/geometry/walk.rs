@@ -40,6 +40,7 @@ pub(super) struct EyeMesh {
     /// In place of that, where triangles are shared: what shared triangles are made of.
     places: Vec<[i32; 2]>,
     corners: Vec<SharedCorner>,
+    uv: Vec<[f64; 2]>,
     factors: Vec<[f64; 3]>,
     /// Triangles of this mesh go into the list as shared ones.
     pub shares: bool,
@@ -104,6 +105,7 @@ impl EyeMesh {
         empty(&mut self.ready, own);
         empty(&mut self.places, shared);
         empty(&mut self.corners, shared);
+        empty(&mut self.uv, 0);
         empty(&mut self.factors, 0);
         empty(&mut self.asked_light, lit);
         empty(&mut self.lit, lit);
@@ -163,16 +165,18 @@ impl EyeMesh {
         }
     }
 
-    /// What was asked for and is not computed yet; with a factor for each light, if there are any.
-    pub fn asked(&mut self, has_factors: bool) -> Asked<'_> {
+    /// What was asked for and is not computed yet; with u and v and with a factor for each light, if there are any.
+    pub fn asked(&mut self, setting: &Setting<'_>) -> Asked<'_> {
         let (ready_before, lit_before) = (self.ready.len().max(self.places.len()), self.lit.len());
         let [own, shared] = if self.shares { [0, self.asked.len()] } else { [self.asked.len(), 0] };
         self.ready.resize(own, Ready::default());
         self.places.resize(shared, [0; 2]);
         self.corners.resize(shared, SharedCorner::default());
         self.lit.resize(self.asked_light.len(), [0.0; 3]);
-        self.factors.resize(if has_factors && self.shares { self.lit.len() } else { 0 }, [0.0; 3]);
-        let EyeMesh { positions, normals, asked, ready, places, corners, asked_light, lit, factors, .. } = self;
+        self.uv.resize(if setting.plan.needs.texture { shared } else { 0 }, [0.0; 2]);
+        let has_factors = setting.lighting.carries_factors() && self.shares;
+        self.factors.resize(if has_factors { self.lit.len() } else { 0 }, [0.0; 3]);
+        let EyeMesh { positions, normals, asked, ready, places, corners, uv, asked_light, lit, factors, .. } = self;
         Asked {
             positions,
             normals,
@@ -180,6 +184,7 @@ impl EyeMesh {
             ready: ready.get_mut(ready_before..).unwrap_or_default(),
             places: places.get_mut(ready_before..).unwrap_or_default(),
             corners: corners.get_mut(ready_before..).unwrap_or_default(),
+            uv: uv.get_mut(ready_before..).unwrap_or_default(),
             asked_light: &asked_light[lit_before..],
             lit: &mut lit[lit_before..],
             factors: factors.get_mut(lit_before..).unwrap_or_default(),
@@ -218,6 +223,7 @@ impl EyeMesh {
         }
         append(&mut shared.places, &mut self.places);
         append(&mut shared.corners, &mut self.corners);
+        append(&mut shared.uv, &mut self.uv);
         append(&mut shared.of_vertices.light, &mut self.lit);
         append(&mut shared.of_vertices.factors, &mut self.factors);
         // What was handed over is not to be looked for here.

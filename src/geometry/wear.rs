@@ -57,10 +57,16 @@ impl Wardrobe {
 
 /// Writes u and v of the vertices of `outline` into its corners.
 pub(super) fn dress(part: Part<'_>, outline: &[u32], corners: &mut [Corner]) {
-    if part.surface.primitives.is_empty() {
-        for (corner, &index) in corners.iter_mut().zip(outline) {
-            let place = part.mesh.texture.get(index as usize).copied().unwrap_or_default();
-            corner.place = [place.x, place.y];
-        }
+    for (corner, &index) in corners.iter_mut().zip(outline) {
+        corner.place = place(part, index);
     }
+}
+
+/// u and v of a vertex; 0 where it has none.
+#[inline]
+pub(super) fn place(part: Part<'_>, vertex: u32) -> [f64; 2] {
+    if !part.surface.primitives.is_empty() {
+        return [0.0; 2];
+    }
+    part.mesh.texture.get(vertex as usize).map_or([0.0; 2], |place| [place.x, place.y])
 }

@@ -44,6 +44,12 @@ impl<'a> ScreenPolygon<'a> {
         ScreenPolygon { list, record, vertices, corner_values, planes, index: index as u32 }
     }
 
+    /// One that is known by its planes alone: no corners, and nothing at them.
+    #[inline]
+    pub(crate) fn of_planes(list: &'a DrawList, index: usize, planes: &'a [Plane]) -> Self {
+        Self::of((list, &list.polygons[index], index), (&[], &[], planes))
+    }
+
     /// The corners, in order around the outline.
     #[must_use]
     #[inline]

@@ -6,7 +6,8 @@
 //! and planes for all of them are most of what the geometry stage writes. So a corner is kept once, and planes are made by [`super::linear`], from the
 //! same numbers in the same order, of those triangles alone that show. `docs/decisions/0038` tells what was weighed.
 //!
-//! Space: eye space; places in 1/256 of a sample. Cost: 60 bytes a corner, 24 for each light of it, 24 a triangle.
+//! Space: eye space; places in 1/256 of a sample. Cost: 60 bytes a corner, 16 more where lists have pictures, 24 for each light of it, 24 a
+//! triangle.
 
 use super::corner::{Corner, Outline, Projection, Ready};
 use super::{DrawList, EdgeKind, Plane, PolygonRecord, ScreenPolygon, ScreenVertex};
@@ -27,6 +28,8 @@ pub struct Shared {
     pub(crate) places: Vec<[i32; 2]>,
     /// Of every corner, what planes are made of.
     pub(crate) corners: Vec<SharedCorner>,
+    /// Of every corner, u and v; none in lists without pictures.
+    pub(crate) uv: Vec<[f64; 2]>,
     /// What varies at vertices, seen from one side.
     pub(crate) of_vertices: SharedValues,
     /// What varies at corners of one triangle alone.
@@ -117,6 +120,7 @@ impl Shared {
         self.projection = None;
         self.places.clear();
         self.corners.clear();
+        self.uv.clear();
         self.of_vertices.clear();
         self.own.clear();
         self.triangles.clear();
@@ -127,6 +131,7 @@ impl Shared {
     pub(crate) fn bytes(&self) -> usize {
         size_of_val(&self.places[..])
             + size_of_val(&self.corners[..])
+            + size_of_val(&self.uv[..])
             + size_of_val(&self.triangles[..])
             + self.of_vertices.bytes()
             + self.own.bytes()
@@ -147,13 +152,14 @@ impl Shared {
 
     #[inline(always)]
     fn corner(&self, triangle: &SharedTriangle, number: usize) -> Corner {
-        let &SharedCorner { position, eye: [x, y], inverse_w } = &self.corners[triangle.corners[number] as usize];
+        let place = triangle.corners[number] as usize;
+        let &SharedCorner { position, eye: [x, y], inverse_w } = &self.corners[place];
         let ready = Ready { eye: Vec3::new(x, y, position.z), inverse_w, ..Ready::default() };
         let value = triangle.values[number];
         let values = if value & OWN == 0 { &self.of_vertices } else { &self.own };
         let index = (value & !OWN) as usize;
         let factor = values.factors.get(index).copied().unwrap_or_default();
-        Corner { ready, values: values.light[index], factor, ..Corner::default() }
+        Corner { ready, values: values.light[index], factor, place: self.uv.get(place).copied().unwrap_or_default() }
     }
 
     #[inline(always)]

@@ -17,6 +17,7 @@ use super::edges::Edge;
 use super::lanes::counting;
 use super::layout::{Area, LANES};
 use super::level::Shortcuts;
+use super::shown::Shown;
 use super::tile::Veil;
 use crate::screen::lane::{Lane, in_block};
 use crate::screen::{BLOCK, DrawList};
@@ -38,6 +39,8 @@ pub(super) struct Samples<'a> {
     /// Per block, how many samples of surfaces with holes were kept since then.
     pub stale: &'a mut [u16],
     pub veils: &'a mut Vec<Veil>,
+    /// Planes of polygons with holes that might show.
+    pub shown: &'a mut Shown,
     pub shortcuts: Shortcuts,
     pub list: &'a DrawList,
 }

@@ -38,7 +38,6 @@ impl<D: Depth> Tile<D> {
         let samples = self.owner.len();
         self.light.iter_mut().for_each(|channel| channel.resize(samples, 0.0));
         let by_planes = self.shortcuts.light && color::applies(list);
-        self.shown.clear();
         self.shown.add(list, self.owner.iter().copied());
         match D::singles(&mut self.depth) {
             Some(depth) if by_planes => {
@@ -108,7 +107,7 @@ impl<D: Depth> Tile<D> {
         if let Some(level) = level {
             self.shown.add(list, fragments.iter().map(|fragment| fragment.polygon));
             color::shade_fragments(level, (list, &self.shown), &mut fragments);
-            wear_on_fragments(list, &mut fragments);
+            wear_on_fragments((list, &self.shown), &mut fragments);
         }
         for fragment in &mut fragments {
             fragment.opacity = list.shader.opacity_of(list.polygons[fragment.polygon as usize].surface);

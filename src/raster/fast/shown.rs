@@ -1,14 +1,15 @@
-//! Shown: planes of what varies over the polygons that show in a tile.
+//! Shown: planes of the polygons that show in a tile, or might.
 //!
 //! owners, list -SHOWN-> planes -> shade
 //!
 //! Shared triangles come without planes. When all polygons of a tile are through, those that are left on some sample get theirs here, once a
-//! tile; all others have them in the list.
+//! tile; all others have them in the list. Those with holes get theirs before, when they have samples in front: alpha asks for u and v. Where
+//! lists have pictures the plane of depth is kept with the others, as the size of a sample on a picture needs it.
 //!
 //! Cost: as many planes as polygons show; 4 bytes for each polygon of the list.
 
 use super::tile::NOBODY;
-use crate::screen::{DrawList, Plane};
+use crate::screen::{DrawList, Plane, ScreenPolygon};
 
 /// The planes of one tile's polygons. Kept from tile to tile and from frame to frame.
 #[derive(Debug, Default)]
@@ -43,16 +44,25 @@ impl Shown {
                 continue;
             }
             before = polygon;
-            let place = self.places[polygon as usize];
-            if self.polygons.get(place as usize) == Some(&polygon) {
-                continue;
+            self.add_one(list, polygon);
+        }
+    }
+
+    #[inline]
+    fn add_one(&mut self, list: &DrawList, polygon: u32) {
+        let place = self.places[polygon as usize];
+        if self.polygons.get(place as usize) == Some(&polygon) {
+            return;
+        }
+        let record = &list.polygons[polygon as usize];
+        if record.is_shared() {
+            self.places[polygon as usize] = self.polygons.len() as u32;
+            self.polygons.push(polygon);
+            let triangle = list.shared.triangle(record);
+            if list.has_texture() {
+                self.planes.extend(list.shared.depth_plane(triangle));
             }
-            let record = &list.polygons[polygon as usize];
-            if record.is_shared() {
-                self.places[polygon as usize] = self.polygons.len() as u32;
-                self.polygons.push(polygon);
-                list.shared.push_varying_planes(list.shared.triangle(record), &mut self.planes);
-            }
+            list.shared.push_varying_planes(triangle, &mut self.planes);
         }
     }
 
@@ -62,9 +72,26 @@ impl Shown {
         let record = &list.polygons[polygon as usize];
         let each = list.varying.count();
         let (planes, first) = match record.is_shared() {
-            true => (&self.planes, self.places[polygon as usize] as usize * each),
+            true => (&self.planes, self.first_of(list, polygon) + usize::from(list.has_texture())),
             false => (&list.planes, record.first_plane as usize + 1),
         };
         planes.get(first..first + each).unwrap_or_default()
+    }
+
+    #[inline(always)]
+    fn first_of(&self, list: &DrawList, polygon: u32) -> usize {
+        self.places[polygon as usize] as usize * (list.varying.count() + usize::from(list.has_texture()))
+    }
+
+    /// A polygon of a list with pictures, for whoever looks at its planes: a shared triangle, which was added before, comes without corners.
+    #[inline]
+    pub fn polygon<'a>(&'a self, list: &'a DrawList, polygon: u32) -> ScreenPolygon<'a> {
+        let index = polygon as usize;
+        if !list.polygons[index].is_shared() {
+            return list.polygon_in_arrays(index);
+        }
+        let first = self.first_of(list, polygon);
+        let planes = self.planes.get(first..first + 1 + list.varying.count()).unwrap_or_default();
+        ScreenPolygon::of_planes(list, index, planes)
     }
 }

@@ -15,6 +15,7 @@
 
 use super::bins::Shape;
 use super::cover::Samples;
+use super::shown::Shown;
 use super::tile::{Depth, NOBODY, Tile, Veil};
 use crate::plan::Interpolation;
 use crate::raster::coverage::Spans;
@@ -68,8 +69,8 @@ struct Place<'a> {
 
 impl<'a> Place<'a> {
     #[inline]
-    fn new(list: &'a DrawList, polygon: u32, sample: (i32, i32)) -> Place<'a> {
-        let (polygon, block) = (list.polygon(polygon as usize), block_of(sample));
+    fn new((list, shown): (&'a DrawList, &'a Shown), polygon: u32, sample: (i32, i32)) -> Place<'a> {
+        let (polygon, block) = (shown.polygon(list, polygon), block_of(sample));
         let first = list.varying.light_count();
         let places = match polygon.varying_planes().get(first..) {
             Some([u, v]) if list.interpolation != Interpolation::ScanLine && u.fits_single() && v.fits_single() => {
@@ -85,7 +86,7 @@ impl<'a> Place<'a> {
     #[inline]
     fn kept<'b>(
         slot: &'b mut Option<Place<'a>>,
-        list: &'a DrawList,
+        of: (&'a DrawList, &'a Shown),
         polygon: u32,
         sample: (i32, i32),
     ) -> &'b Place<'a> {
@@ -93,7 +94,7 @@ impl<'a> Place<'a> {
         if !slot.as_ref().is_some_and(is_of) {
             *slot = None;
         }
-        slot.get_or_insert_with(|| Place::new(list, polygon, sample))
+        slot.get_or_insert_with(|| Place::new(of, polygon, sample))
     }
 
     /// u and v at sample (x, y), where 1/w is `inverse_w`.
@@ -122,6 +123,8 @@ impl Samples<'_> {
     #[inline(never)]
     fn settle_all(&mut self, polygon: u32, transparent: bool, first: usize) {
         let list = self.list;
+        self.shown.add(list, [polygon]);
+        let shown = std::mem::take(self.shown);
         // A small polygon's rows may lie in two blocks side by side.
         let mut places = [None, None];
         let mut kept = first;
@@ -129,7 +132,7 @@ impl Samples<'_> {
             let veil = self.veils[number];
             let (row, column) = (veil.index / self.stride as u32, veil.index % self.stride as u32);
             let sample = (self.area.columns.start + column as i32, self.area.rows.start + row as i32);
-            let place = Place::kept(&mut places[((sample.0 / BLOCK) & 1) as usize], list, polygon, sample);
+            let place = Place::kept(&mut places[((sample.0 / BLOCK) & 1) as usize], (list, &shown), polygon, sample);
             let uv = place.uv(sample, veil.depth as f32);
             if !list.shader.is_there_at(&place.polygon, sample, veil.depth, uv) {
                 continue;
@@ -142,6 +145,7 @@ impl Samples<'_> {
             }
         }
         self.veils.truncate(kept);
+        *self.shown = shown;
     }
 
     fn keep(&mut self, veil: Veil, (x, y): (i32, i32)) {
@@ -172,7 +176,8 @@ impl<D: Depth> Tile<D> {
     /// Draws one polygon with holes, whose depth is no matter of lanes, as the z-buffer does.
     pub(super) fn draw_cut_out(&mut self, list: &DrawList, shape: &Shape, spans: &mut Spans) {
         self.counts.spans += 1;
-        let polygon = list.polygon(shape.polygon as usize);
+        let mut room = std::mem::take(&mut self.room);
+        let polygon = list.polygon_in(shape.polygon as usize, &mut room);
         let rows = self.area.rows.clone();
         spans.of(polygon.vertices(), list.grid, rows, |row, columns| {
             for column in columns {
@@ -188,6 +193,7 @@ impl<D: Depth> Tile<D> {
                 }
             }
         });
+        self.room = room;
     }
 
     /// Multiplies the light of every sample by the picture of its polygon; depths are 1/w.
@@ -195,6 +201,7 @@ impl<D: Depth> Tile<D> {
         if !list.has_texture() {
             return;
         }
+        let shown = std::mem::take(&mut self.shown);
         let (columns, rows) = (self.area.columns.clone(), self.area.rows.clone());
         let mut left = columns.start;
         while left < columns.end {
@@ -202,37 +209,38 @@ impl<D: Depth> Tile<D> {
             let mut slot = None;
             for y in rows.clone() {
                 for x in left..right {
-                    self.wear_picture(list, &mut slot, (x, y));
+                    self.wear_picture((list, &shown), &mut slot, (x, y));
                 }
             }
             left = right;
         }
+        self.shown = shown;
     }
 
     #[inline]
-    fn wear_picture<'a>(&mut self, list: &'a DrawList, slot: &mut Option<Place<'a>>, (x, y): (i32, i32)) {
+    fn wear_picture<'a>(&mut self, of: (&'a DrawList, &'a Shown), slot: &mut Option<Place<'a>>, (x, y): (i32, i32)) {
         let index = self.index(x, y);
         if self.owner[index] == NOBODY {
             return;
         }
-        let place = Place::kept(slot, list, self.owner[index], (x, y));
+        let place = Place::kept(slot, of, self.owner[index], (x, y));
         if let Some(texture) = place.texture {
             let inverse_w = self.depth[index].widened();
             let uv = place.uv((x, y), inverse_w as f32);
-            let texel = list.shader.texel(&place.polygon, texture, inverse_w, uv);
+            let texel = of.0.shader.texel(&place.polygon, texture, inverse_w, uv);
             self.set_light(index, self.light(index) * texel);
         }
     }
 }
 
 /// The same for fragments; depths are 1/w.
-pub(super) fn wear_on_fragments(list: &DrawList, fragments: &mut [Fragment]) {
+pub(super) fn wear_on_fragments((list, shown): (&DrawList, &Shown), fragments: &mut [Fragment]) {
     if !list.has_texture() {
         return;
     }
     for fragment in fragments {
         let sample = (fragment.x, fragment.y);
-        let place = Place::new(list, fragment.polygon, sample);
+        let place = Place::new((list, shown), fragment.polygon, sample);
         if let Some(texture) = place.texture {
             let uv = place.uv(sample, fragment.depth as f32);
             fragment.color = fragment.color * list.shader.texel(&place.polygon, texture, fragment.depth, uv);

@@ -78,7 +78,7 @@ pub(super) struct Tile<D> {
     spans: Spans,
     pub blended: Blended,
     pub shown: Shown,
-    room: Whole,
+    pub(super) room: Whole,
     /// What the samples show, when they are shaded: red, green, blue.
     pub light: [Vec<f32>; 3],
     pub counts: Counts,
@@ -154,6 +154,7 @@ impl<D: Depth> Tile<D> {
         self.stale.resize(self.far.len(), 0);
         self.veils.clear();
         self.layers.clear();
+        self.shown.clear();
         (self.area, self.stride) = (area, stride);
     }
 
@@ -216,8 +217,9 @@ impl<D: Depth> Tile<D> {
     fn samples<'a>(&'a mut self, list: &'a DrawList) -> Option<Samples<'a>> {
         let depth = D::singles(&mut self.depth)?;
         let (area, stride, shortcuts) = (&self.area, self.stride, self.shortcuts);
-        let (owner, far, stale, veils) = (&mut self.owner, &mut self.far, &mut self.stale, &mut self.veils);
-        Some(Samples { area, stride, depth, owner, far, stale, veils, shortcuts, list })
+        let (owner, far, stale) = (&mut self.owner, &mut self.far, &mut self.stale);
+        let (veils, shown) = (&mut self.veils, &mut self.shown);
+        Some(Samples { area, stride, depth, owner, far, stale, veils, shown, shortcuts, list })
     }
 
     /// Draws one polygon as the z-buffer does.
