@@ -62,7 +62,7 @@ impl Wrap {
     #[inline]
     fn coordinate(self, along: f64) -> f32 {
         (match self {
-            Wrap::Repeat => along - along.floor(),
+            Wrap::Repeat => along - floor(along),
             Wrap::Clamp => along.clamp(0.0, 1.0),
         }) as f32
     }
@@ -81,7 +81,7 @@ impl Taps {
     #[inline]
     pub fn bilinear([u, v]: [f64; 2], (width, height): (u32, u32), wrap: Wrap) -> Taps {
         let (x, y) = (wrap.coordinate(u) * width as f32 - 0.5, wrap.coordinate(v) * height as f32 - 0.5);
-        let (left, low) = (x.floor(), y.floor());
+        let (left, low) = (floor(f64::from(x)) as f32, floor(f64::from(y)) as f32);
         let (fx, fy) = (x - left, y - low);
         let columns = [left as i64, left as i64 + 1].map(|column| wrap.index(column, width as usize));
         let rows = [low as i64, low as i64 + 1].map(|row| wrap.index(row, height as usize) * width as usize);
@@ -89,12 +89,6 @@ impl Taps {
             indices: [rows[0] + columns[0], rows[0] + columns[1], rows[1] + columns[0], rows[1] + columns[1]],
             weights: [(1.0 - fx) * (1.0 - fy), fx * (1.0 - fy), (1.0 - fx) * fy, fx * fy],
         }
-    }
-
-    /// The texel that (u, v) is in.
-    #[inline]
-    fn nearest(place: [f64; 2], size: (u32, u32), wrap: Wrap) -> Taps {
-        Taps { indices: [wrap.cell(place, size); 4], weights: [1.0, 0.0, 0.0, 0.0] }
     }
 
     /// The weighted sum of what is `at` each texel.
@@ -110,6 +104,9 @@ impl Pyramid {
     /// What the picture shows at (u, v) to a sample 2^`level` texels wide.
     #[must_use]
     pub fn sample(&self, place: [f64; 2], level: f32, filter: Filter) -> Sample {
+        if filter == Filter::Nearest {
+            return self.texel(place);
+        }
         let (first, second) = self.taps(place, level, filter);
         let alpha = mixed(&first, second.as_ref(), alpha_at);
         let channel = |channel: usize| {
@@ -118,7 +115,27 @@ impl Pyramid {
                 if self.weighed { light * alpha_at(level, index) } else { light }
             })
         };
-        let light = Rgb::new(channel(0), channel(1), channel(2));
+        self.mean(Rgb::new(channel(0), channel(1), channel(2)), alpha)
+    }
+
+    /// The texel of the picture itself that (u, v) is in.
+    #[inline]
+    fn texel(&self, place: [f64; 2]) -> Sample {
+        let (level, index) = self.nearest(place);
+        let ([red, green, blue, _], alpha) = (level.rgba[index], alpha_at(level, index));
+        let light = Rgb::new(red, green, blue).map(|level| self.light[usize::from(level)]);
+        self.mean(if self.weighed { light * alpha } else { light }, alpha)
+    }
+
+    #[inline]
+    fn nearest(&self, place: [f64; 2]) -> (&Level, usize) {
+        let level = &self.levels[0];
+        (level, self.wrap.cell(place, (level.width, level.height)))
+    }
+
+    /// What shows, of a mean of light (times alpha where lookups weigh by it) and of alpha in 255ths.
+    #[inline]
+    fn mean(&self, light: Rgb<f32>, alpha: f32) -> Sample {
         let color = match (self.weighed, alpha > 0.0) {
             (false, _) => light,
             // Both in 255ths.
@@ -131,6 +148,10 @@ impl Pyramid {
     /// The alpha of [`Pyramid::sample`] alone, to the last bit.
     #[must_use]
     pub fn alpha(&self, place: [f64; 2], level: f32, filter: Filter) -> f32 {
+        if filter == Filter::Nearest {
+            let (level, index) = self.nearest(place);
+            return alpha_at(level, index) / 255.0;
+        }
         let (first, second) = self.taps(place, level, filter);
         mixed(&first, second.as_ref(), alpha_at) / 255.0
     }
@@ -141,15 +162,7 @@ impl Pyramid {
         let last = self.levels.len() - 1;
         let of = |index: usize| {
             let level = &self.levels[index];
-            let size = (level.width, level.height);
-            (
-                level,
-                if filter == Filter::Nearest {
-                    Taps::nearest(place, size, self.wrap)
-                } else {
-                    Taps::bilinear(place, size, self.wrap)
-                },
-            )
+            (level, Taps::bilinear(place, (level.width, level.height), self.wrap))
         };
         if filter != Filter::Trilinear || level <= 0.0 {
             return (of(0), None);
@@ -158,6 +171,19 @@ impl Pyramid {
         let below = level as usize;
         let share = level - below as f32;
         (of(below), (share > 0.0).then(|| (of(below + 1), share)))
+    }
+}
+
+/// The greatest whole number that is not greater, without the call that `f64::floor` is on processors that every program runs on.
+#[inline]
+fn floor(number: f64) -> f64 {
+    /// From here on all numbers are whole.
+    const WHOLE: f64 = (1_u64 << 52) as f64;
+    if number.abs() < WHOLE {
+        let toward_zero = number as i64 as f64;
+        if toward_zero > number { toward_zero - 1.0 } else { toward_zero }
+    } else {
+        number.floor()
     }
 }
 
@@ -243,6 +269,18 @@ mod tests {
         assert!((look(&pyramid, 0.25, 0.5, 2.0, Filter::Trilinear) - 60.0).abs() < 1e-4);
         assert!((look(&pyramid, 0.25, 0.5, 1.5, Filter::Trilinear) - 40.0).abs() < 1e-4);
         assert!((look(&pyramid, 0.9, 0.5, 77.0, Filter::Trilinear) - 60.0).abs() < 1e-4);
+    }
+
+    #[test]
+    fn floor_is_that_of_the_language() {
+        let whole = [0.0, -0.0, 1.0, -1.0, 7.0, -8.0, 2.0_f64.powi(51), 2.0_f64.powi(52), -2.0_f64.powi(53), 1e300];
+        for number in whole.into_iter().flat_map(|number| [number, number + 0.25, number - 0.25, number * 0.999]) {
+            assert_eq!(floor(number), number.floor(), "{number}");
+            assert_eq!(floor(number.next_up()), number.next_up().floor(), "{number}");
+            assert_eq!(floor(number.next_down()), number.next_down().floor(), "{number}");
+        }
+        assert!(floor(f64::NAN).is_nan());
+        assert_eq!(floor(f64::NEG_INFINITY), f64::NEG_INFINITY);
     }
 
     #[test]
