@@ -58,35 +58,54 @@ impl Wrap {
         }
     }
 
+    /// Texels of two columns and two rows, whose first are these, row by row.
+    #[inline]
+    fn square(self, [left, low]: [i64; 2], [width, height]: [usize; 2]) -> [usize; 4] {
+        // Most lie in the picture as a whole.
+        if (0..width as i64 - 1).contains(&left) && (0..height as i64 - 1).contains(&low) {
+            let first = low as usize * width + left as usize;
+            return [first, first + 1, first + width, first + width + 1];
+        }
+        let columns = [left, left + 1].map(|column| self.index(column, width));
+        let rows = [low, low + 1].map(|row| self.index(row, height) * width);
+        [rows[0] + columns[0], rows[0] + columns[1], rows[1] + columns[0], rows[1] + columns[1]]
+    }
+
     /// A coordinate, wherever it lies, as one from 0 to 1.
     #[inline]
     fn coordinate(self, along: f64) -> f32 {
         (match self {
+            // Nearly all are inside already.
+            _ if (0.0..1.0).contains(&along) => along,
             Wrap::Repeat => along - floor(along),
             Wrap::Clamp => along.clamp(0.0, 1.0),
         }) as f32
     }
 
+    #[inline]
+    pub(super) fn coordinates(self, [u, v]: [f64; 2]) -> [f32; 2] {
+        [self.coordinate(u), self.coordinate(v)]
+    }
+
     /// Which of `width` x `height` cells over 0 to 1 a place is in, row by row.
     #[inline]
-    pub(super) fn cell(self, [u, v]: [f64; 2], (width, height): (u32, u32)) -> usize {
-        let column = (self.coordinate(u) * width as f32).min(width as f32 - 1.0) as usize;
-        let row = (self.coordinate(v) * height as f32).min(height as f32 - 1.0) as usize;
+    pub(super) fn cell(self, place: [f64; 2], (width, height): (u32, u32)) -> usize {
+        let [u, v] = self.coordinates(place);
+        let column = (u * width as f32).min(width as f32 - 1.0) as usize;
+        let row = (v * height as f32).min(height as f32 - 1.0) as usize;
         row * width as usize + column
     }
 }
 
 impl Taps {
-    /// The four texels around (u, v) in a picture of `size`.
+    /// The four texels around (u, v), from 0 to 1, in a picture of `size`.
     #[inline]
-    pub fn bilinear([u, v]: [f64; 2], (width, height): (u32, u32), wrap: Wrap) -> Taps {
-        let (x, y) = (wrap.coordinate(u) * width as f32 - 0.5, wrap.coordinate(v) * height as f32 - 0.5);
+    pub fn bilinear([u, v]: [f32; 2], (width, height): (u32, u32), wrap: Wrap) -> Taps {
+        let (x, y) = (u * width as f32 - 0.5, v * height as f32 - 0.5);
         let (left, low) = (floor(f64::from(x)) as f32, floor(f64::from(y)) as f32);
         let (fx, fy) = (x - left, y - low);
-        let columns = [left as i64, left as i64 + 1].map(|column| wrap.index(column, width as usize));
-        let rows = [low as i64, low as i64 + 1].map(|row| wrap.index(row, height as usize) * width as usize);
         Taps {
-            indices: [rows[0] + columns[0], rows[0] + columns[1], rows[1] + columns[0], rows[1] + columns[1]],
+            indices: wrap.square([left as i64, low as i64], [width as usize, height as usize]),
             weights: [(1.0 - fx) * (1.0 - fy), fx * (1.0 - fy), (1.0 - fx) * fy, fx * fy],
         }
     }
@@ -160,6 +179,7 @@ impl Pyramid {
     #[inline]
     fn taps(&self, place: [f64; 2], level: f32, filter: Filter) -> (Tapped<'_>, Option<(Tapped<'_>, f32)>) {
         let last = self.levels.len() - 1;
+        let place = self.wrap.coordinates(place);
         let of = |index: usize| {
             let level = &self.levels[index];
             (level, Taps::bilinear(place, (level.width, level.height), self.wrap))

@@ -62,7 +62,7 @@ pub fn coverage(texels: &Texels, threshold: f32, wrap: Wrap) -> f64 {
     let fraction = |multiple: u64| (multiple >> 11) as f64 / (1_u64 << 53) as f64;
     let passes = |index: &u64| {
         let place = steps.map(|step| fraction(index.wrapping_mul(step)));
-        let taps = Taps::bilinear(place, texels.size(), wrap);
+        let taps = Taps::bilinear(wrap.coordinates(place), texels.size(), wrap);
         taps.sum(|index| f32::from(texels.rgba[index][3])) / 255.0 > threshold
     };
     (1..=PLACES).filter(passes).count() as f64 / PLACES as f64
