@@ -10,6 +10,8 @@
 pub type Vec3 = glam::DVec3;
 /// A point in a plane; two `f64`.
 pub type Vec2 = glam::DVec2;
+/// A linear map in a plane, column vectors.
+pub type Mat2 = glam::DMat2;
 /// A linear map of directions, column vectors: `target_from_source * source`.
 pub type Mat3 = glam::DMat3;
 /// An affine map of points (a 3 x 3 matrix and a translation), column vectors: `target_from_source`.

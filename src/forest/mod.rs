@@ -15,6 +15,7 @@ pub mod cells;
 pub mod collide;
 pub mod cover;
 pub mod detail;
+pub mod drape;
 pub mod elevation;
 pub mod frame;
 pub mod frustum;
