@@ -18,6 +18,7 @@ mod input;
 mod load;
 mod nff;
 mod sipp;
+mod statements;
 mod tokens;
 mod wording;
 

@@ -173,7 +173,7 @@ impl Reader<'_> {
         let (kind, span) = self.words.text("road, path or river")?;
         if !KINDS.contains(&kind.as_str()) {
             let message = format!("{} is drawn like a path", quote(kind.as_bytes()));
-            let help = super::words::did_you_mean(kind.as_bytes(), &KINDS);
+            let help = crate::parse::statements::did_you_mean(kind.as_bytes(), &KINDS);
             self.oddities.push(Diagnostic::notice(message).at(span, "a kind that is not known").help(help));
         }
         if !self.words.take_field("w") {

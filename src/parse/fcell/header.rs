@@ -1,10 +1,10 @@
 //! Statements about the whole area: projection, kinds of trees and ground, landmarks.
 
 use super::Reader;
-use super::words::did_you_mean;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::forest::area::{Cover, Form, Mark, Species};
 use crate::forest::paint;
+use crate::parse::statements::did_you_mean;
 use crate::parse::wording::quote;
 
 /// The largest coordinate of a map.

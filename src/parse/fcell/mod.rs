@@ -2,7 +2,7 @@
 //!
 //! Source -FCELL (words, statements)-> Area -forest::tree-> Scene
 //!
-//! Statements are keyword lines: `words` cuts the text and knows where a statement begins, `header` reads what belongs to the whole area,
+//! Statements are keyword lines: `statements` cuts the text and knows where a statement begins, `header` reads what belongs to the whole area,
 //! `cell`, `ground`, `stand` and `poly` what belongs to a cell, `outline` decides exactly whether a polygon is one. After a mistake the
 //! reader goes on at the next line that begins with a keyword, so that one run tells up to [`MOST_ERRORS`] of them.
 //!
@@ -18,17 +18,16 @@ mod poly;
 mod reference;
 mod stand;
 mod vocabulary;
-mod words;
 
 use crate::diagnostic::{Diagnostic, Diagnostics, Lines, Source, Span, printable};
 use crate::forest::area::{Area, Cell, CellIndex, Head, Stand};
+use crate::parse::statements::{Word, Words, did_you_mean};
 use crate::parse::wording::quote;
 use crate::scene::Place;
 use cell::Open;
 use reference::Grids;
 use std::collections::BTreeMap;
 use std::path::Path;
-use words::{Words, did_you_mean};
 
 /// How many errors of one file are told.
 const MOST_ERRORS: usize = 20;
@@ -78,7 +77,7 @@ struct Reader<'a> {
 impl<'a> Reader<'a> {
     fn new(source: &'a Source, folder: &'a Path) -> Reader<'a> {
         Reader {
-            words: Words::new(source),
+            words: Words::new(source, &vocabulary::STATEMENTS),
             lines: source.lines(),
             grids: Grids::new(folder),
             head: Head { files: vec![source.name.clone()], side: USUAL_SIDE, ..Head::default() },
@@ -144,18 +143,18 @@ impl<'a> Reader<'a> {
         if let Some(end) = self.ended {
             let error =
                 Diagnostic::error("text behind `end`").at(word.span, "what is this?").at(end, "the area ends here");
-            self.words = Words::new(self.words.source);
+            self.words = Words::new(self.words.source, &vocabulary::STATEMENTS);
             self.skip_everything();
             return Err(error.help("remove it, or move `end` behind it"));
         }
-        if word.is_quoted || !vocabulary::is_keyword(word.bytes) {
+        if word.is_quoted || !vocabulary::STATEMENTS.is_keyword(word.bytes) {
             return Err(self.no_statement(word));
         }
         self.words.keyword = word.span;
         let fields = self.dispatch(word.bytes)?;
         // A keyword may follow on the same line; anything else is one word too many.
         let next = self.words.peek();
-        if next.begins_statement() || !next.is_quoted && vocabulary::is_keyword(next.bytes) {
+        if next.begins_statement() || !next.is_quoted && vocabulary::STATEMENTS.is_keyword(next.bytes) {
             return Ok(());
         }
         Err(self.words.unexpected(next, fields))
@@ -188,13 +187,13 @@ impl<'a> Reader<'a> {
     }
 
     /// A word where a statement should begin.
-    fn no_statement(&self, word: words::Word<'_>) -> Diagnostic {
+    fn no_statement(&self, word: Word<'_>) -> Diagnostic {
         if word.is_numeric() {
             let error =
                 Diagnostic::error("a number where a statement should begin").at(word.span, "belongs to nothing");
             return error.help("every statement begins with a keyword");
         }
-        let known: Vec<&str> = vocabulary::keywords().collect();
+        let known: Vec<&str> = vocabulary::STATEMENTS.keywords().collect();
         let error = Diagnostic::error(format!("unknown keyword {}", quote(word.bytes))).at(word.span, "not understood");
         error.help(did_you_mean(word.bytes, &known))
     }

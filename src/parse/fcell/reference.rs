@@ -11,11 +11,11 @@
 
 use super::Reader;
 use super::ground::HIGHEST;
-use super::words::did_you_mean;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::forest::area::{CellIndex, Ground};
 use crate::forest::elevation::{Grid, Unit, Utm, from_utm};
 use crate::parse::grids::{GridOptions, load_grid};
+use crate::parse::statements::did_you_mean;
 use crate::parse::wording::quote;
 use std::collections::BTreeMap;
 use std::path::Path;

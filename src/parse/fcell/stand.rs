@@ -2,9 +2,9 @@
 
 use super::Reader;
 use super::cell::TALLEST;
-use super::words::did_you_mean;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::forest::area::{MOST_DENSITY, Plant, Spread, Stand, StandState};
+use crate::parse::statements::did_you_mean;
 use crate::parse::wording::quote;
 
 /// Fields of a `stand`.

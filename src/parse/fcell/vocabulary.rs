@@ -1,7 +1,9 @@
 //! The keywords of `.fcell`, and how each statement is written.
 
+use crate::parse::statements::Vocabulary;
+
 /// Every keyword and the statement it begins.
-const STATEMENTS: [(&str, &str); 19] = [
+pub(super) static STATEMENTS: Vocabulary = Vocabulary(&[
     ("fcell", "fcell 1"),
     ("crs", "crs NAME"),
     ("origin", "origin EAST NORTH"),
@@ -24,20 +26,9 @@ const STATEMENTS: [(&str, &str); 19] = [
     ("line", "line KIND w METRES N X Y ..."),
     ("mark", "mark \"NAME\" X Y"),
     ("end", "end"),
-];
-
-/// Whether `word` begins a statement where it is the first on its line.
-pub(super) fn is_keyword(word: &[u8]) -> bool {
-    STATEMENTS.iter().any(|(keyword, _)| keyword.as_bytes() == word)
-}
-
-/// The keywords.
-pub(super) fn keywords() -> impl Iterator<Item = &'static str> {
-    STATEMENTS.iter().map(|&(keyword, _)| keyword)
-}
+]);
 
 /// How a statement is written, as a line of help.
 pub(super) fn shape(keyword: &str) -> String {
-    let known = STATEMENTS.iter().find(|(name, _)| *name == keyword);
-    known.map_or_else(String::new, |(_, shape)| format!("write `{shape}`"))
+    STATEMENTS.shape(keyword)
 }

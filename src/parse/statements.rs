@@ -1,17 +1,38 @@
-//! Words of a `.fcell` text, and what is wrong where one is expected and another stands.
+//! Words of a text of statements (`.fcell`, `.fmap`), and what is wrong where one is expected and another stands.
 //!
 //! Source -WORDS-> words, numbers -> statements
 //!
 //! A word that is the first on its line and one of the keywords begins a statement, so a mistake in one statement does not eat the next:
 //! `cover` at the start of a line declares a cover, behind a `stand` it is a field. Words in `"..."` may have blanks.
 
-use super::vocabulary::{is_keyword, keywords, shape};
 use crate::diagnostic::{Diagnostic, Source, Span, suggest};
 use crate::parse::tokens::{self, NotANumber};
 use crate::parse::wording::{number_meant, plain, quote};
 use std::fmt::Display;
 use std::ops::RangeInclusive;
 use std::str::FromStr;
+
+/// The keywords of a language, and how the statement of each is written.
+#[derive(Debug)]
+pub(super) struct Vocabulary(pub &'static [(&'static str, &'static str)]);
+
+impl Vocabulary {
+    /// Whether `word` begins a statement where it is the first on its line.
+    pub fn is_keyword(&self, word: &[u8]) -> bool {
+        self.0.iter().any(|(keyword, _)| keyword.as_bytes() == word)
+    }
+
+    /// The keywords.
+    pub fn keywords(&self) -> impl Iterator<Item = &'static str> {
+        self.0.iter().map(|&(keyword, _)| keyword)
+    }
+
+    /// How a statement is written, as a line of help.
+    pub fn shape(&self, keyword: &str) -> String {
+        let known = self.0.iter().find(|(name, _)| *name == keyword);
+        known.map_or_else(String::new, |(_, shape)| format!("write `{shape}`"))
+    }
+}
 
 /// A word and where it stands.
 #[derive(Clone, Copy, Debug)]
@@ -23,6 +44,8 @@ pub(super) struct Word<'a> {
     pub is_first: bool,
     /// It stood in quotes.
     pub is_quoted: bool,
+    /// It is one of the language's keywords.
+    is_keyword: bool,
 }
 
 impl Word<'_> {
@@ -33,7 +56,7 @@ impl Word<'_> {
 
     /// It begins a statement.
     pub fn begins_statement(&self) -> bool {
-        self.is_end() || self.is_first && !self.is_quoted && is_keyword(self.bytes)
+        self.is_end() || self.is_first && !self.is_quoted && self.is_keyword
     }
 
     pub fn is(&self, word: &str) -> bool {
@@ -50,14 +73,15 @@ impl Word<'_> {
 #[derive(Clone, Debug)]
 pub(super) struct Words<'a> {
     pub source: &'a Source,
+    pub vocabulary: &'static Vocabulary,
     at: usize,
     /// The keyword of the statement in hand.
     pub keyword: Span,
 }
 
 impl<'a> Words<'a> {
-    pub fn new(source: &'a Source) -> Words<'a> {
-        Words { source, at: 0, keyword: Span::default() }
+    pub fn new(source: &'a Source, vocabulary: &'static Vocabulary) -> Words<'a> {
+        Words { source, vocabulary, at: 0, keyword: Span::default() }
     }
 
     /// The next word, which stays the next one.
@@ -66,7 +90,8 @@ impl<'a> Words<'a> {
         let start = text.len() - tokens::skip_space(&text[self.at..]).len();
         if start == text.len() {
             let end = text.trim_ascii_end().len();
-            return Word { bytes: b"", span: Span::new(end, end), is_first: true, is_quoted: false };
+            let span = Span::new(end, end);
+            return Word { bytes: b"", span, is_first: true, is_quoted: false, is_keyword: false };
         }
         let line_start = text[self.at..start].contains(&b'\n') || self.at == 0;
         let is_first = line_start || text[..start].last() == Some(&b'\n');
@@ -76,10 +101,12 @@ impl<'a> Words<'a> {
             let is_closed = tail.get(1 + line) == Some(&b'"');
             let end = start + 1 + line + usize::from(is_closed);
             let bytes = if is_closed { &tail[1..=line] } else { tokens::word(tail) };
-            return Word { bytes, span: Span::new(start, end), is_first, is_quoted: is_closed };
+            let span = Span::new(start, end);
+            return Word { bytes, span, is_first, is_quoted: is_closed, is_keyword: self.vocabulary.is_keyword(bytes) };
         }
         let bytes = tokens::word(tail);
-        Word { bytes, span: Span::new(start, start + bytes.len()), is_first, is_quoted: false }
+        let (span, is_keyword) = (Span::new(start, start + bytes.len()), self.vocabulary.is_keyword(bytes));
+        Word { bytes, span, is_first, is_quoted: false, is_keyword }
     }
 
     pub fn take(&mut self) -> Word<'a> {
@@ -215,17 +242,20 @@ impl<'a> Words<'a> {
         let (keyword, quoted) = (plain(self.keyword_text()), quote(word.bytes));
         if word.is_first && !word.is_numeric() {
             let error = Diagnostic::error(format!("unknown keyword {quoted}")).at(word.span, "not understood");
-            return error.help(did_you_mean(word.bytes, &fields.iter().copied().chain(keywords()).collect::<Vec<_>>()));
+            return error.help(did_you_mean(
+                word.bytes,
+                &fields.iter().copied().chain(self.vocabulary.keywords()).collect::<Vec<_>>(),
+            ));
         }
         if word.is_numeric() {
             let error = Diagnostic::error(format!("`{keyword}` has a number too many: {quoted}"));
             let error = error.at(word.span, "what is this?").at(self.keyword, "of this");
-            return error.help(shape(&keyword));
+            return error.help(self.vocabulary.shape(&keyword));
         }
         let error = Diagnostic::error(format!("`{keyword}` has no field {quoted}"));
         let error = error.at(word.span, "not understood").at(self.keyword, "in this");
         if fields.is_empty() {
-            return error.help(shape(&keyword));
+            return error.help(self.vocabulary.shape(&keyword));
         }
         error.help(did_you_mean(word.bytes, fields))
     }
