@@ -22,6 +22,7 @@ pub mod frustum;
 pub mod heights;
 pub mod invent;
 mod land;
+pub mod map;
 pub mod pack;
 pub mod paint;
 pub mod pictures;

@@ -107,6 +107,10 @@ pub fn without_pictures(scene: &Scene) -> Scene {
     let mut known = BTreeMap::new();
     let surfaces = scene.surfaces.iter().map(|surface| {
         let Some((_, texture)) = scene.picture_on(surface) else { return surface.clone() };
+        // A map is neither a tree nor ground.
+        if texture.lookup.is_some() {
+            return Surface { mesh: Mesh::default(), ..surface.clone() };
+        }
         let threshold = texture.cut_out.map(|cut_out| cut_out.threshold);
         let key = (Arc::as_ptr(&texture.texels) as usize, threshold.map(f64::to_bits));
         match known.entry(key).or_insert_with(|| Silhouette::of(&texture.texels, threshold)) {

@@ -3,7 +3,7 @@
 //! Space: texture space, (u, v) from 0 to 1 over the picture, v upward ([`crate::image::textures`]). Coordinates stand in
 //! [`Mesh::texture`](super::Mesh::texture); its third number is kept and not looked at.
 
-use crate::image::textures::{Mosaic, Texels, Wrap};
+use crate::image::textures::{Lookup, Mosaic, Texels, Wrap};
 use std::sync::Arc;
 
 /// Points at one of [`Scene::textures`](super::Scene::textures).
@@ -19,6 +19,8 @@ pub struct Texture {
     pub texels: Arc<Texels>,
     /// Pictures chosen place by place, shown instead of `texels`.
     pub mosaic: Option<Arc<Mosaic>>,
+    /// How it is found from u and v; `None`: it lies there as it is.
+    pub lookup: Option<Lookup>,
     /// Some of the surface is not there.
     pub cut_out: Option<CutOut>,
     /// Some samples of the surface are left to another that stands in the same place.
@@ -76,7 +78,7 @@ impl Texture {
 
     fn of(name: &str, texels: Arc<Texels>) -> Texture {
         let name = name.to_string();
-        Texture { name, texels, mosaic: None, cut_out: None, fade: None, wrap: Wrap::Repeat, key: None }
+        Texture { name, texels, mosaic: None, lookup: None, cut_out: None, fade: None, wrap: Wrap::Repeat, key: None }
     }
 
     /// Pictures chosen place by place; they hide everything, and the outermost places go on beyond the edges.

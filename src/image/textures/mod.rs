@@ -17,12 +17,14 @@
 
 mod file;
 mod filter;
+mod lookup;
 mod mips;
 mod mosaic;
 mod repair;
 
 pub use file::{MOST_TEXELS, TextureError, decode, encode_png, read};
 pub use filter::{Filter, Sample, Wrap, level_of_detail};
+pub use lookup::{Field, Lookup};
 pub use mips::{Alpha, Pyramid};
 pub use mosaic::{Mosaic, Tile};
 pub use repair::{coverage, dilate};

@@ -54,7 +54,7 @@ impl Reader<'_> {
                 Arc::new(if let Some(key) = key { read.keyed(key) } else { read })
             }
         };
-        self.draft.textures.push(Texture { name, texels, mosaic: None, cut_out, fade: None, wrap, key });
+        self.draft.textures.push(Texture { name, texels, mosaic: None, lookup: None, cut_out, fade: None, wrap, key });
         Ok(Some(TextureId(self.draft.textures.len() as u32 - 1)))
     }
 

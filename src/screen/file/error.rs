@@ -51,6 +51,9 @@ pub enum ScreenWriteError {
     /// Texture coordinates were asked for.
     #[error("the list carries no texture coordinates to write")]
     NoTexture,
+    /// A map lies on the ground.
+    #[error("a map lies on the ground, which no screen file can tell: leave out --map")]
+    Map,
     /// A resolution of the classic file is 0 or above 2^31.
     #[error("{what} is {value}: it must be a whole number from 1 to 2147483648")]
     Resolution {

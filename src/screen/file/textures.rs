@@ -101,7 +101,7 @@ pub(super) fn read_texture(
     let texels = read_texels(words, size)?;
     let mosaic = mosaic.map(|size| read_mosaic(words, size)).transpose()?;
     let (encoding, mosaic) = (sheet.encoding, mosaic.as_ref());
-    let picture = Picture { name: &name, texels: &texels, mosaic, encoding, threshold, fade, wrap };
+    let picture = Picture { name: &name, texels: &texels, mosaic, lookup: None, encoding, threshold, fade, wrap };
     textures.push(&picture, &Textures::default());
     Ok(())
 }

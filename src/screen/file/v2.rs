@@ -55,6 +55,9 @@ impl Attributes {
         match list.varying {
             _ if list.grid.is_exact() => Err(ScreenWriteError::Unsnapped),
             _ if self.texture && !list.has_texture() => Err(ScreenWriteError::NoTexture),
+            _ if list.has_texture() && list.shader.textures.list.iter().any(|texture| texture.lookup.is_some()) => {
+                Err(ScreenWriteError::Map)
+            }
             Varying::Color | Varying::ColorTexture | Varying::Nothing if self.phong => Err(ScreenWriteError::NoNormals),
             Varying::Nothing if self.color => Err(ScreenWriteError::NoColors),
             _ => Ok(()),

@@ -8,7 +8,7 @@
 //! Space: texture space; slopes are changes of u and v from sample to sample. Cost: means of a picture once.
 
 use crate::color::Encoding;
-use crate::image::textures::{Alpha, Mosaic, Pyramid, Texels, Wrap, level_of_detail};
+use crate::image::textures::{Alpha, Filter, Lookup, Mosaic, Pyramid, Sample, Texels, Wrap, level_of_detail};
 use crate::plan::TextureFilter;
 use crate::scene::{Fade, Texture};
 use std::sync::Arc;
@@ -24,6 +24,10 @@ pub struct TextureShading {
     pub pyramid: Arc<Pyramid>,
     /// Pictures chosen place by place, instead of that one.
     pub mosaic: Option<MosaicShading>,
+    /// How it is found from u and v; `None`: it lies there as it is.
+    pub lookup: Option<Lookup>,
+    /// What its colors mean.
+    pub encoding: Encoding,
     /// What alpha must be above where the surface has holes; `None`: it has none.
     pub threshold: Option<f32>,
     /// Which samples are shown; `None`: all.
@@ -50,6 +54,8 @@ pub struct Picture<'a> {
     pub texels: &'a Arc<Texels>,
     /// Pictures chosen place by place, instead of that one.
     pub mosaic: Option<&'a Arc<Mosaic>>,
+    /// How it is found from u and v; `None`: it lies there as it is.
+    pub lookup: Option<&'a Lookup>,
     /// What its colors mean.
     pub encoding: Encoding,
     /// The surface has holes where alpha is not above it; `None`: alpha means nothing.
@@ -68,6 +74,7 @@ impl<'a> Picture<'a> {
             name: &texture.name,
             texels: &texture.texels,
             mosaic: texture.mosaic.as_ref(),
+            lookup: texture.lookup.as_ref(),
             encoding: Encoding::Srgb,
             threshold: texture.cut_out.map(|cut_out| cut_out.threshold as f32),
             fade: texture.fade,
@@ -101,6 +108,8 @@ impl TextureShading {
             texels: picture.texels.clone(),
             pyramid: pyramid(picture.texels, picture.wrap),
             mosaic,
+            lookup: picture.lookup.cloned(),
+            encoding: picture.encoding,
             threshold: picture.threshold,
             fade: picture.fade.filter(|fade| !fade.shows_all()),
         }
@@ -122,9 +131,42 @@ impl TextureShading {
         self.threshold.is_some() || self.fade.is_some()
     }
 
+    /// What shows at (u, v), where they change by `slopes` from sample to sample.
+    #[inline]
+    pub(crate) fn sample(&self, filter: TextureFilter, uv: [f64; 2], slopes: impl FnOnce() -> [[f32; 2]; 2]) -> Sample {
+        if let Some(lookup) = &self.lookup {
+            return self.found(lookup, filter, uv, slopes());
+        }
+        let (pyramid, place, level) = self.look(filter, uv, slopes);
+        pyramid.sample(place, level, kind(filter))
+    }
+
+    /// The alpha of [`TextureShading::sample`] alone, to the last bit.
+    #[inline]
+    pub(crate) fn alpha(&self, filter: TextureFilter, uv: [f64; 2], slopes: impl FnOnce() -> [[f32; 2]; 2]) -> f32 {
+        if let Some(lookup) = &self.lookup {
+            return self.found(lookup, filter, uv, slopes()).alpha;
+        }
+        let (pyramid, place, level) = self.look(filter, uv, slopes);
+        pyramid.alpha(place, level, kind(filter))
+    }
+
+    #[inline(never)]
+    fn found(&self, lookup: &Lookup, filter: TextureFilter, uv: [f64; 2], slopes: [[f32; 2]; 2]) -> Sample {
+        match lookup {
+            Lookup::Computed(field) => Lookup::sample(&**field, uv, slopes, self.encoding),
+            Lookup::Projected(matrix) => {
+                let (place, slopes) = Lookup::place(matrix, uv, slopes);
+                let is_sized = filter == TextureFilter::Trilinear;
+                let level = if is_sized { level_of_detail(slopes, self.pyramid.size()) } else { 0.0 };
+                self.pyramid.sample(place, level, kind(filter))
+            }
+        }
+    }
+
     /// Which picture shows at (u, v), at which place of it, and in which size: where u and v change by `slopes` from sample to sample.
     #[inline]
-    pub(crate) fn look(
+    fn look(
         &self,
         filter: TextureFilter,
         uv: [f64; 2],
@@ -148,5 +190,13 @@ impl TextureShading {
             TextureFilter::Nearest | TextureFilter::Bilinear => 0.0,
         };
         (pyramid, place, level)
+    }
+}
+
+fn kind(filter: TextureFilter) -> Filter {
+    match filter {
+        TextureFilter::Nearest => Filter::Nearest,
+        TextureFilter::Bilinear => Filter::Bilinear,
+        TextureFilter::Trilinear => Filter::Trilinear,
     }
 }

@@ -21,7 +21,7 @@
 use super::picture::{Picture, TextureShading};
 use super::{Shader, fade};
 use crate::color::Rgb;
-use crate::image::textures::{Alpha, Filter, Sample};
+use crate::image::textures::{Alpha, Sample};
 use crate::plan::{AlphaRule, TextureFilter};
 use crate::screen::ScreenPolygon;
 
@@ -82,14 +82,6 @@ impl Textures {
         let shading = TextureShading::new(picture, alpha, [&self.list, &before.list]);
         self.list.push(shading);
         (self.list.len() - 1) as u32
-    }
-
-    fn filter(&self) -> Filter {
-        match self.filter {
-            TextureFilter::Nearest => Filter::Nearest,
-            TextureFilter::Bilinear => Filter::Bilinear,
-            TextureFilter::Trilinear => Filter::Trilinear,
-        }
     }
 
     /// Whether a sample with that `alpha` is there. `turn`: a number of the polygon, any.
@@ -169,8 +161,7 @@ impl Shader {
             return false;
         }
         let Some(threshold) = texture.threshold else { return true };
-        let (pyramid, place, level) = texture.look(self.textures.filter, uv, || polygon.texture_slopes(inverse_w, uv));
-        let alpha = pyramid.alpha(place, level, self.textures.filter());
+        let alpha = texture.alpha(self.textures.filter, uv, || polygon.texture_slopes(inverse_w, uv));
         self.textures.is_there(alpha, threshold, sample, || turn_of(polygon))
     }
 
@@ -202,8 +193,7 @@ impl Shader {
 
     #[inline]
     fn look_up(&self, polygon: &ScreenPolygon<'_>, texture: &TextureShading, inverse_w: f64, uv: [f64; 2]) -> Sample {
-        let (pyramid, place, level) = texture.look(self.textures.filter, uv, || polygon.texture_slopes(inverse_w, uv));
-        pyramid.sample(place, level, self.textures.filter())
+        texture.sample(self.textures.filter, uv, || polygon.texture_slopes(inverse_w, uv))
     }
 }
 

@@ -15,7 +15,7 @@ pub(super) struct Losses {
     pub mixed_surfaces: usize,
     /// Shaders with a picture.
     pub pictures: usize,
-    /// Shaders whose picture fades or is a mosaic.
+    /// Shaders whose picture fades, is a mosaic or a map.
     pub fades: usize,
     /// Objects that got another name, or one at all.
     pub names: usize,
@@ -39,7 +39,7 @@ impl Losses {
             counted(self.colored_surfaces, "surfaces without the colors of their vertices"),
             counted(self.mixed_surfaces, "surfaces of polygons and shapes, taken apart: the polygons of each stay together"),
             counted(self.pictures, "shaders with a picture, named as in the scene and not copied: keep it beside the file"),
-            counted(self.fades, "shaders whose picture is shown whole, without its fade or its mosaic"),
+            counted(self.fades, "shaders whose picture is shown whole, without its fade, its mosaic or its map"),
             counted(self.names, "names of objects changed or made up: what stands in several places needs a name of its own"),
         ]
         .into_iter()

@@ -42,7 +42,9 @@ impl Shaders {
                 let texture = scene.picture_on(surface).map(|(_, texture)| texture_words(texture)).unwrap_or_default();
                 losses.pictures += usize::from(!texture.is_empty());
                 let worn = scene.picture_on(surface);
-                losses.fades += usize::from(worn.is_some_and(|(_, it)| it.fade.is_some() || it.mosaic.is_some()));
+                losses.fades += usize::from(
+                    worn.is_some_and(|(_, it)| it.fade.is_some() || it.mosaic.is_some() || it.lookup.is_some()),
+                );
                 shaders.list.push(Shader { name: format!("{model}{}", index + 1), material, texture });
             }
             shaders.of_surface[id.0 as usize] = Some(index);
