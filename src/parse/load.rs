@@ -150,6 +150,13 @@ pub(super) fn source(path: &Path) -> Result<Source, Diagnostics> {
     read_source(&name, unpacked(&name, BufReader::new(open(path, &name)?))?)
 }
 
+/// Reads a file that is no text of farop's, plain or gzip, as it is: `#` begins no comment.
+pub(super) fn whole_source(path: &Path) -> Result<Source, Diagnostics> {
+    let name = printable(path.as_os_str().as_encoded_bytes());
+    let text = read_bytes(&name, unpacked(&name, BufReader::new(open(path, &name)?))?)?;
+    Ok(Source { name, text, ..Source::default() })
+}
+
 /// The reader itself, or what unpacks it.
 fn unpacked<'a>(name: &str, mut reader: impl BufRead + 'a) -> Result<Box<dyn Read + 'a>, Diagnostics> {
     let start = reader.fill_buf();

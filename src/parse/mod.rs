@@ -11,6 +11,7 @@ mod area;
 mod bezier;
 pub mod built_in;
 mod fcell;
+mod fmap;
 mod foreign;
 mod ftri;
 mod grids;
@@ -20,12 +21,15 @@ mod nff;
 mod sipp;
 mod statements;
 mod tokens;
+mod vector;
 mod wording;
 
 pub use bezier::Net as BezierNet;
+pub use fmap::load_map;
 pub use grids::{GridOptions, load_grid, read_grid};
 pub use input::{INPUT_LIMIT, LINE_LIMIT};
 pub use load::{Format, load, load_cells};
+pub use vector::{Vectors, load_vectors};
 
 use crate::diagnostic::Diagnostics;
 use crate::forest::area::Area;

@@ -1,5 +1,6 @@
 //! The scene of one frame: the composer's, or with silhouettes in place of pictures.
 
+use super::maps;
 use super::options::{Forest, TreesName};
 use crate::cli::error::CliError;
 use crate::forest::cells::Cells;
@@ -31,8 +32,16 @@ impl<'a> Composer<'a> {
     pub fn new(wanted: &Wanted<'a>) -> Result<Composer<'a>, CliError> {
         let pictures = Pictures::new(wanted.cells.head(), wanted.folder).map_err(CliError::failed)?;
         let choices = choices(wanted.options, wanted.year);
-        let composer = frame::Composer::new(wanted.cells, pictures, choices).map_err(CliError::failed)?;
+        let mut composer = frame::Composer::new(wanted.cells, pictures, choices).map_err(CliError::failed)?;
+        if let Some((name, shapes)) = maps::of(wanted.options, wanted.cells.head())? {
+            composer.lay_map(&name, shapes, maps::laying(wanted.options)).map_err(CliError::failed)?;
+        }
         Ok(Composer { composer, flat: wanted.silhouettes.then(Scene::default) })
+    }
+
+    /// How sharp the map of the last frame was, in words.
+    pub fn map_told(&self) -> Option<String> {
+        self.composer.map_figures().as_ref().map(maps::told)
     }
 
     /// The scene that `camera` sees.

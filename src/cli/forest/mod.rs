@@ -9,6 +9,7 @@ mod figures;
 pub(super) mod frame;
 mod inspect;
 mod labels;
+mod maps;
 mod observer;
 mod options;
 mod paint;
@@ -101,6 +102,7 @@ impl ForestCommand {
             let mut painter = Painter::new(found.rasterizer(), &self.picture, size);
             let mut composer = Composer::new(&Wanted { cells, folder, options: &self.forest, year, silhouettes })?;
             play::frame(&camera, &mut composer, &mut painter)?;
+            composer.map_told().iter().for_each(|told| notice(told));
             let picture = painter.picture()?;
             self.labeled(&picture, &camera, &painter, (cells, &mut observer))
         };

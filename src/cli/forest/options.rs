@@ -142,6 +142,27 @@ pub(in crate::cli) struct Forest {
     /// Error of the relief, in pixels
     #[arg(long, value_name = "PX", default_value_t = 1.0, value_parser = not_negative)]
     pub tolerance: f64,
+    /// A map on the ground, .fmap
+    #[arg(long, value_name = "FILE")]
+    pub map: Option<PathBuf>,
+    /// The view of the map that is shown [default: its first]
+    #[arg(long, value_name = "NAME", requires = "map")]
+    pub map_view: Option<String>,
+    /// lispsm (sharp near and far), uniform, exact (asked at every sample), or the papers' thesis and program
+    #[arg(long, value_name = "HOW", default_value = "lispsm", requires = "map")]
+    pub drape: DrapeName,
+    /// Texels of the map's texture, each way
+    #[arg(long, value_name = "N", default_value_t = 1024, requires = "map", value_parser = clap::value_parser!(u32).range(1..=8192))]
+    pub map_texture: u32,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum DrapeName {
+    Lispsm,
+    Uniform,
+    Exact,
+    Thesis,
+    Program,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -1,5 +1,6 @@
 //! Choices and counts of a frame.
 
+use crate::forest::map::MapError;
 use crate::forest::terrain::TerrainError;
 use crate::forest::window::StockError;
 use serde::Serialize;
@@ -108,6 +109,9 @@ pub enum FrameError {
     /// A cell cannot be loaded.
     #[error(transparent)]
     Stock(#[from] StockError),
+    /// A map cannot lie on the area.
+    #[error(transparent)]
+    Map(#[from] MapError),
     /// A choice is no number to work with.
     #[error("{what} is {value}, which must be {expected}")]
     Choice {

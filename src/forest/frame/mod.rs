@@ -13,6 +13,7 @@
 //! | `choices` | what may be chosen, and what is counted |
 //! | `trees` | from records of 8 bytes to polygons |
 //! | `land` | faces of the relief as surfaces |
+//! | `maps` | a map on them |
 //! | `dress` | textures and materials |
 //! | `sink` | surfaces in memory that frames share |
 //!
@@ -23,14 +24,17 @@
 mod choices;
 mod dress;
 mod land;
+mod maps;
 mod sink;
 mod trees;
 
 pub use choices::{Choices, FrameCounts, FrameError, GroundLook, Trees};
 pub use dress::SUN;
+pub use maps::{Laying, MapFigures};
 
 use super::cells::Cells;
 use super::frustum::{Frustum, focal};
+use super::map::Shape;
 use super::pictures::Pictures;
 use super::relief::criterion::Observer;
 use super::terrain::Terrain;
@@ -41,6 +45,7 @@ use crate::math::{Affine3, Vec3};
 use crate::scene::{Camera, Object, ObjectId, Place, Scene, SurfaceId};
 use dress::{Dress, KEYS, sun};
 use land::{Lander, Lists};
+use maps::GroundMap;
 use sink::Sink;
 use trees::{Eye, Order, Planter};
 
@@ -57,6 +62,7 @@ pub struct Composer<'a> {
     faces: Faces,
     order: Order,
     lists: Lists,
+    map: Option<GroundMap>,
 }
 
 impl<'a> Composer<'a> {
@@ -86,7 +92,23 @@ impl<'a> Composer<'a> {
             ..Scene::default()
         };
         let (sink, faces, order, lists) = (Sink::default(), Faces::default(), Order::default(), Lists::default());
-        Ok(Composer { cells, choices, pictures, terrain, stock, dress, scene, sink, faces, order, lists })
+        let map = None;
+        Ok(Composer { cells, choices, pictures, terrain, stock, dress, scene, sink, faces, order, lists, map })
+    }
+
+    /// Lays the view `name` of a map on the ground of all further frames: its shapes, in metres of the area, the lowest first.
+    ///
+    /// # Errors
+    /// Nothing of it lies on the area.
+    pub fn lay_map(&mut self, name: &str, shapes: Vec<Shape>, laying: Laying) -> Result<(), FrameError> {
+        self.map = Some(GroundMap::new(self.cells, name, shapes, laying)?);
+        Ok(())
+    }
+
+    /// How sharp the map of the last frame was; `None` where none was drawn, or none of the land was in view.
+    #[must_use]
+    pub fn map_figures(&self) -> Option<MapFigures> {
+        self.map.as_ref()?.figures
     }
 
     /// The land that it draws.
@@ -171,7 +193,11 @@ impl<'a> Composer<'a> {
         let view = View { observer: Observer::new(camera, size), tolerance, near };
         self.terrain.faces(&view, &mut self.faces);
         let lander = Lander { head, stock: &self.stock, look, eye: (eye, near) };
+        let first = self.sink.surfaces.len();
         lander.add(&self.faces, &mut self.lists, &mut self.sink, &mut self.scene.textures, counts);
+        if let Some(map) = &mut self.map {
+            map.lay((camera, size, &self.choices), first, &mut self.sink, &mut self.scene.textures);
+        }
         Ok(())
     }
 }

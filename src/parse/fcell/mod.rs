@@ -13,7 +13,7 @@
 mod cell;
 mod ground;
 mod header;
-mod outline;
+pub(super) mod outline;
 mod poly;
 mod reference;
 mod stand;

@@ -14,7 +14,7 @@ type Point = [f64; 2];
 
 /// What is wrong with rings; ring 0 is the outline, the others are holes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Flaw {
+pub(in crate::parse) enum Flaw {
     /// All corners of a ring are on one line.
     Flat { ring: usize },
     /// Two corners behind each other are the same.
@@ -39,7 +39,7 @@ struct Edge {
 }
 
 /// The first thing that is wrong with these rings.
-pub(super) fn flaw(rings: &[Vec<Point>]) -> Option<Flaw> {
+pub(in crate::parse) fn flaw(rings: &[Vec<Point>]) -> Option<Flaw> {
     for (ring, corners) in rings.iter().enumerate() {
         if let Some((&at, _)) = edges(corners).find(|(a, b)| a == b) {
             return Some(Flaw::Twice { ring, at });

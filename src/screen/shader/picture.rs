@@ -7,7 +7,7 @@
 //!
 //! Space: texture space; slopes are changes of u and v from sample to sample. Cost: means of a picture once.
 
-use crate::color::Encoding;
+use crate::color::{Encoding, Rgb};
 use crate::image::textures::{Alpha, Filter, Lookup, Mosaic, Pyramid, Sample, Texels, Wrap, level_of_detail};
 use crate::plan::TextureFilter;
 use crate::scene::{Fade, Texture};
@@ -157,6 +157,10 @@ impl TextureShading {
             Lookup::Computed(field) => Lookup::sample(&**field, uv, slopes, self.encoding),
             Lookup::Projected(matrix) => {
                 let (place, slopes) = Lookup::place(matrix, uv, slopes);
+                // What lies beside the map is not on it.
+                if place.iter().any(|along| !(0.0..=1.0).contains(along)) {
+                    return Sample { color: Rgb::gray(0.0), alpha: 0.0 };
+                }
                 let is_sized = filter == TextureFilter::Trilinear;
                 let level = if is_sized { level_of_detail(slopes, self.pyramid.size()) } else { 0.0 };
                 self.pyramid.sample(place, level, kind(filter))
