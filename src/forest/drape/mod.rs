@@ -81,6 +81,16 @@ impl View {
     }
 }
 
+impl View {
+    /// How wide a pixel is across the view, at a place on the ground half as high as the land.
+    #[must_use]
+    pub fn metres_a_pixel(&self, [x, y]: [f64; 2]) -> f64 {
+        let height = (self.land[0].z + self.land[1].z) / 2.0;
+        let depth = (Vec3::new(x, y, height) - self.from).dot(self.ahead);
+        depth.max(self.depths[0]) / self.focal
+    }
+}
+
 impl Drape {
     /// The drape for `view`; `None` where none of the land is in view, or the method has no answer: the paper's where something to be seen is beside or
     /// behind the eye.

@@ -62,12 +62,12 @@ impl Ahead {
 
     /// The perspective from `strength` behind what can be seen.
     pub fn perspective(&self, body: &[Vec3], strength: f64) -> Option<Drape> {
-        self.from_center(body, self.reach(body)[0] - strength)
+        self.centered(body, self.reach(body)[0] - strength)
     }
 
     /// The paper's: from the eye. Its number n cancels out when the box is stretched over the texture.
     pub fn thesis(&self, body: &[Vec3]) -> Option<Drape> {
-        self.from_center(body, 0.0)
+        self.centered(body, 0.0)
     }
 
     /// That of the authors' program: n - near behind the eye.
@@ -79,11 +79,11 @@ impl Ahead {
         let nearest = near / self.sine;
         let farthest = nearest + self.depth(body) * self.sine;
         let n = (nearest + (nearest * farthest).sqrt()) / self.sine;
-        self.from_center(body, near - n)
+        self.centered(body, near - n)
     }
 
     /// From a center so far ahead of the eye; `None` if something to be seen is not ahead of it.
-    fn from_center(&self, body: &[Vec3], center: f64) -> Option<Drape> {
+    fn centered(&self, body: &[Vec3], center: f64) -> Option<Drape> {
         let nearest = self.reach(body)[0];
         if nearest.is_nan() || nearest <= center {
             return None;

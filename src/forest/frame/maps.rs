@@ -109,7 +109,7 @@ impl GroundMap {
         let view = View::of_camera(camera, size, ground.0, land(ground.1)?);
         let drape = Drape::new(method, &view)?;
         self.figures = Texels::of(&drape, &view, side).map(|texels| MapFigures { texels, strength: drape.strength });
-        let texels = draw(&self.shapes, &drape, side)?;
+        let texels = draw(&self.shapes, &drape, side, &|place| view.metres_a_pixel(place))?;
         let ([x, y], width) = self.square;
         let ground_from_place = Mat3::from_cols(Vec3::X * width, Vec3::Y * width, Vec3::new(x, y, 1.0));
         Some(worn(texels, Lookup::Projected(drape.texture_from_ground * ground_from_place)))

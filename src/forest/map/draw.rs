@@ -2,8 +2,8 @@
 //!
 //! shapes, matrix -DRAW-> rings in texels -`fill`-> texels with alpha
 //!
-//! Lines are areas here: a rectangle a piece and a disc a corner, all turning the same way, so that what they cover together is covered once. Widths in metres
-//! are laid out on the ground, before the matrix; widths in pixels on the map, behind it.
+//! Lines are areas on the ground here: a piece has four corners, a corner a disc, and all turn the same way, so that what they cover together is covered once.
+//! A width in pixels is one in metres that grows with the distance from the eye, linearly, as the way across a pixel does.
 //!
 //! Why everything is cut before it is divided: behind the center of the map's perspective there is no place on the map, and near it places are
 //! infinitely far off. What can be seen is farther from the center than that (`forest::drape`).
@@ -11,7 +11,7 @@
 //! Space: metres of the area in, texels out, row 0 the lowest. Cost: the edges of all shapes, and the texels they cover.
 
 use super::fill::{Rule, fill};
-use super::{Pen, Shape, Unit};
+use super::{Length, Pen, Shape, Unit};
 use crate::forest::drape::Drape;
 use crate::forest::polygon::Point;
 use crate::forest::vector::{Geometry, Rings};
@@ -23,14 +23,16 @@ const CORNERS: usize = 12;
 /// What is nearer to the center of the perspective than this share of what can be seen is cut off.
 const NEAREST: f64 = 0.5;
 
-/// Draws shapes, the first lowest, into `side` x `side` texels. Where nothing is, alpha is 0. `None` for no texels, or more than a picture has.
+/// Draws shapes, the first lowest, into `side` x `side` texels. Where nothing is, alpha is 0. `pixel` says how many metres a pixel across the view has at a
+/// place. `None` for no texels, or more than a picture has.
 #[must_use]
-pub fn draw(shapes: &[Shape], drape: &Drape, side: u32) -> Option<Texels> {
+pub fn draw(shapes: &[Shape], drape: &Drape, side: u32, pixel: &dyn Fn(Point) -> f64) -> Option<Texels> {
     let count = side as usize * side as usize;
     let scale = f64::from(side);
     let texels = Mat3::from_diagonal(Vec3::new(scale, scale, 1.0));
     let least = drape.strength.map_or(NEAREST, |strength| strength * NEAREST);
-    let mut sheet = Sheet { matrix: texels * drape.texture_from_ground, least, side, colors: vec![[0.0; 4]; count] };
+    let mut sheet =
+        Sheet { pixel, matrix: texels * drape.texture_from_ground, least, side, colors: vec![[0.0; 4]; count] };
     shapes.iter().for_each(|shape| sheet.shape(shape));
     let rgba = sheet.colors.iter().map(|&[red, green, blue, alpha]| {
         let level = |channel: f32| if alpha > 0.0 { (channel / alpha).round().clamp(0.0, 255.0) as u8 } else { 0 };
@@ -40,25 +42,21 @@ pub fn draw(shapes: &[Shape], drape: &Drape, side: u32) -> Option<Texels> {
 }
 
 /// Texels while they are drawn: display values times alpha, and alpha.
-struct Sheet {
+struct Sheet<'a> {
+    pixel: &'a dyn Fn(Point) -> f64,
     matrix: Mat3,
     least: f64,
     side: u32,
     colors: Vec<[f32; 4]>,
 }
 
-impl Sheet {
+impl Sheet<'_> {
     fn shape(&mut self, shape: &Shape) {
         match &shape.geometry {
             Geometry::Points(points) => {
                 let Some(color) = shape.fill else { return };
-                let radius = shape.size.value / 2.0;
-                let discs: Vec<Vec<Point>> = match shape.size.unit {
-                    Unit::Metres => points.iter().map(|&point| self.projected(&disc(point, radius))).collect(),
-                    Unit::Pixels => {
-                        points.iter().filter_map(|&point| self.place(point)).map(|point| disc(point, radius)).collect()
-                    }
-                };
+                let discs = points.iter().map(|&point| disc(point, self.metres(shape.size, point) / 2.0));
+                let discs: Vec<Vec<Point>> = discs.map(|disc| self.projected(&disc)).collect();
                 self.put(&discs, Rule::NonZero, color);
             }
             Geometry::Lines(lines) => {
@@ -81,30 +79,24 @@ impl Sheet {
         let Some(pen) = pen else { return };
         let closing = line.first().filter(|_| is_closed);
         let line: Vec<Point> = line.iter().chain(closing).copied().collect();
-        let radius = pen.width.value / 2.0;
         let mut rings = Vec::new();
-        match pen.width.unit {
-            Unit::Metres => {
-                let pieces = dashed(&[line], pen.dash);
-                pieces.iter().for_each(|piece| stroke(piece, radius, &mut rings));
-                rings.iter_mut().for_each(|ring| *ring = self.projected(ring));
-            }
-            Unit::Pixels => {
-                let pieces = dashed(&self.projected_line(&line), pen.dash);
-                pieces.iter().for_each(|piece| stroke(piece, radius, &mut rings));
-            }
+        for piece in dashed(&line, pen.dash) {
+            stroke(&piece, |point| self.metres(pen.width, point) / 2.0, &mut rings);
         }
+        rings.iter_mut().for_each(|ring| *ring = self.projected(ring));
         self.put(&rings, Rule::NonZero, pen.color);
+    }
+
+    /// A length at a place, in metres of the ground.
+    fn metres(&self, length: Length, at: Point) -> f64 {
+        match length.unit {
+            Unit::Metres => length.value,
+            Unit::Pixels => length.value * (self.pixel)(at),
+        }
     }
 
     fn homogeneous(&self, [x, y]: Point) -> Vec3 {
         self.matrix * Vec3::new(x, y, 1.0)
-    }
-
-    /// A position in texels.
-    fn place(&self, point: Point) -> Option<Point> {
-        let place = self.homogeneous(point);
-        (place.z > self.least).then(|| divided(place))
     }
 
     /// A ring in texels, cut where it comes too near to the center.
@@ -123,27 +115,6 @@ impl Sheet {
             from = to;
         }
         left
-    }
-
-    /// A line in texels, in pieces where it comes too near to the center.
-    fn projected_line(&self, line: &[Point]) -> Vec<Vec<Point>> {
-        let mut pieces: Vec<Vec<Point>> = Vec::new();
-        let mut before: Option<Vec3> = None;
-        for &point in line {
-            let to = self.homogeneous(point);
-            let is_there = to.z > self.least;
-            match before.filter(|from| (from.z > self.least) != is_there) {
-                Some(from) if is_there => pieces.push(vec![divided(self.cut(from, to))]),
-                Some(from) => pieces.last_mut().into_iter().for_each(|piece| piece.push(divided(self.cut(from, to)))),
-                None if is_there && before.is_none() => pieces.push(Vec::new()),
-                None => {}
-            }
-            if is_there {
-                pieces.last_mut().into_iter().for_each(|piece| piece.push(divided(to)));
-            }
-            before = Some(to);
-        }
-        pieces
     }
 
     fn cut(&self, from: Vec3, to: Vec3) -> Vec3 {
@@ -180,47 +151,45 @@ fn disc([x, y]: Point, radius: f64) -> Vec<Point> {
         .collect()
 }
 
-/// What a pen covers along a line: rings that all turn counterclockwise.
-fn stroke(line: &[Point], radius: f64, rings: &mut Vec<Vec<Point>>) {
+/// What a pen covers along a line, half as wide as `radius` says at each corner: rings that all turn counterclockwise.
+fn stroke(line: &[Point], radius: impl Fn(Point) -> f64, rings: &mut Vec<Vec<Point>>) {
     for pair in line.windows(2) {
         let (from, to) = (Vec2::from_array(pair[0]), Vec2::from_array(pair[1]));
         let Some(along) = (to - from).try_normalize() else { continue };
-        let aside = Vec2::new(-along.y, along.x) * radius;
-        rings.push([from - aside, to - aside, to + aside, from + aside].map(|corner| corner.to_array()).to_vec());
+        let aside = Vec2::new(-along.y, along.x);
+        let (first, last) = (aside * radius(pair[0]), aside * radius(pair[1]));
+        rings.push([from - first, to - last, to + last, from + first].map(|corner| corner.to_array()).to_vec());
     }
     // Ends stay as they are: a road ends where it does. Corners in between are round.
     let inner = line.get(1..line.len().saturating_sub(1)).unwrap_or_default();
-    rings.extend(inner.iter().map(|&corner| disc(corner, radius)));
+    rings.extend(inner.iter().map(|&corner| disc(corner, radius(corner))));
     if line.first() == line.last() {
-        rings.extend(line.first().map(|&corner| disc(corner, radius)));
+        rings.extend(line.first().map(|&corner| disc(corner, radius(corner))));
     }
 }
 
-/// Lines cut into dashes.
-pub(super) fn dashed(lines: &[Vec<Point>], dash: Option<[f64; 2]>) -> Vec<Vec<Point>> {
+/// A line cut into dashes.
+pub(super) fn dashed(line: &[Point], dash: Option<[f64; 2]>) -> Vec<Vec<Point>> {
     /// Dashes of one line: more would not be seen.
     const MOST: usize = 100_000;
-    let Some([on, off]) = dash else { return lines.to_vec() };
-    let mut pieces: Vec<Vec<Point>> = Vec::new();
-    for line in lines {
-        let (mut left, mut is_on) = (on, true);
-        pieces.extend(line.first().map(|&first| vec![first]));
-        for pair in line.windows(2) {
-            let (mut from, to) = (Vec2::from_array(pair[0]), Vec2::from_array(pair[1]));
-            while from.distance(to) > left && pieces.len() < MOST {
-                from += (to - from).normalize_or_zero() * left;
-                if is_on {
-                    pieces.last_mut().into_iter().for_each(|piece| piece.push(from.to_array()));
-                } else {
-                    pieces.push(vec![from.to_array()]);
-                }
-                is_on = !is_on;
-                left = if is_on { on } else { off };
-            }
-            left -= from.distance(to);
+    let Some([on, off]) = dash else { return vec![line.to_vec()] };
+    let mut pieces: Vec<Vec<Point>> = line.first().map(|&first| vec![first]).into_iter().collect();
+    let (mut left, mut is_on) = (on, true);
+    for pair in line.windows(2) {
+        let (mut from, to) = (Vec2::from_array(pair[0]), Vec2::from_array(pair[1]));
+        while from.distance(to) > left && pieces.len() < MOST {
+            from += (to - from).normalize_or_zero() * left;
             if is_on {
-                pieces.last_mut().into_iter().for_each(|piece| piece.push(to.to_array()));
+                pieces.last_mut().into_iter().for_each(|piece| piece.push(from.to_array()));
+            } else {
+                pieces.push(vec![from.to_array()]);
             }
+            is_on = !is_on;
+            left = if is_on { on } else { off };
+        }
+        left -= from.distance(to);
+        if is_on {
+            pieces.last_mut().into_iter().for_each(|piece| piece.push(to.to_array()));
         }
     }
     pieces

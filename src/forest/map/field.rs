@@ -19,7 +19,7 @@ const BINS: usize = 128;
 /// Slabs that a polygon's edges are sorted into by height.
 const SLABS: usize = 64;
 /// Metres of a pixel that widths in pixels are counted with, at most: far away lines would cover all.
-const LARGEST_PIXEL: f64 = 8.0;
+const LARGEST_PIXEL: f64 = 64.0;
 
 /// A map that is asked place by place.
 #[derive(Debug)]
@@ -91,9 +91,7 @@ impl Exact {
 
     fn line(&mut self, line: Vec<Point>, shape: &Shape) {
         let Some(pen) = shape.pen else { return };
-        // How long a pixel is differs from place to place: dashes of pixels are not cut.
-        let dash = pen.dash.filter(|_| pen.width.unit == Unit::Metres);
-        for piece in dashed(&[line], dash) {
+        for piece in dashed(&line, pen.dash) {
             let is_closed = piece.first() == piece.last();
             let last = piece.len().saturating_sub(2);
             for (index, pair) in piece.windows(2).enumerate() {

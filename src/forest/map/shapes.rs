@@ -28,7 +28,7 @@ pub struct Pen {
     pub color: [u8; 3],
     /// From side to side.
     pub width: Length,
-    /// Lengths that are drawn and left out, in the unit of the width.
+    /// Metres that are drawn, and left out.
     pub dash: Option<[f64; 2]>,
 }
 

@@ -34,7 +34,7 @@ pub struct Style {
     pub width: Option<Length>,
     /// Of the inside of polygons.
     pub fill: Option<[u8; 3]>,
-    /// Lengths that are drawn and left out, in the unit of the width.
+    /// Metres that are drawn, and left out.
     pub dash: Option<[f64; 2]>,
     /// Diameter of points.
     pub size: Option<Length>,

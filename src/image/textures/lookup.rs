@@ -25,7 +25,7 @@ pub enum Lookup {
 
 /// A picture without texels.
 pub trait Field: Debug + Send + Sync {
-    /// Red, green, blue and alpha at `place`, display values of sRGB, for a sample as wide as `step`.
+    /// Red, green, blue and alpha at `place`, display values of sRGB, for a sample that is `step` wide where it is narrower.
     fn at(&self, place: Vec2, step: f64) -> [u8; 4];
 }
 
@@ -63,7 +63,7 @@ impl Lookup {
     #[must_use]
     pub fn sample(field: &dyn Field, [u, v]: [f64; 2], slopes: [[f32; 2]; 2], encoding: Encoding) -> Sample {
         let length = |[du, dv]: [f32; 2]| Vec2::new(f64::from(du), f64::from(dv)).length();
-        let [red, green, blue, alpha] = field.at(Vec2::new(u, v), length(slopes[0]).max(length(slopes[1])));
+        let [red, green, blue, alpha] = field.at(Vec2::new(u, v), length(slopes[0]).min(length(slopes[1])));
         let display = Rgb::new(red, green, blue).map(|level| f64::from(level) / 255.0);
         Sample { color: encoding.decode(display).to_f32(), alpha: f32::from(alpha) / 255.0 }
     }
