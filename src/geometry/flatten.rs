@@ -11,6 +11,7 @@ use crate::math::{Affine3, Vec3, newell_normal};
 use crate::model;
 use crate::plan::Plan;
 use crate::scene::{Mesh, NormalSource, Object, ObjectId, Scene, Surface, SurfaceId};
+use std::collections::BTreeSet;
 
 /// `scene` with every shape turned into polygons as `plan` sees it; with `triangles`, polygons are split as well.
 ///
@@ -18,7 +19,13 @@ use crate::scene::{Mesh, NormalSource, Object, ObjectId, Scene, Surface, Surface
 /// one object a placed object, with its transform to world space.
 #[must_use]
 pub fn flatten(scene: &Scene, plan: &Plan, triangles: bool) -> Scene {
-    let mut flat = Scene { objects: Vec::new(), surfaces: Vec::new(), world: Vec::new(), ..scene.clone() };
+    let mut flat = Scene {
+        objects: Vec::new(),
+        surfaces: Vec::new(),
+        world: Vec::new(),
+        facing: BTreeSet::new(),
+        ..scene.clone()
+    };
     // The plan has walked the same tree within its budget.
     let walked = scene.walk(|placed| {
         let first = flat.surfaces.len() as u32;

@@ -29,6 +29,7 @@ pub use triangles::{MAGIC, MOST_LIGHTS, TriangleKind, TriangleRange, Triangles};
 
 use crate::color::Rgb;
 use crate::math::{Affine3, Vec3};
+use std::collections::BTreeSet;
 
 /// Everything that was read: the tree of objects, lights, camera and background.
 ///
@@ -45,6 +46,8 @@ pub struct Scene {
     pub textures: Vec<Texture>,
     /// The top-level objects, in the order of the files: the children of the world.
     pub world: Vec<ObjectId>,
+    /// Objects that turn about their own z axis until their front, against y, faces the camera: pictures of trees.
+    pub facing: BTreeSet<ObjectId>,
     /// The lights, in the order of the files.
     pub lights: Vec<Light>,
     /// Where it is seen from; `None` until a file or the command line says so.
@@ -54,7 +57,7 @@ pub struct Scene {
 }
 
 /// Points at one of [`Scene::objects`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ObjectId(pub u32);
 
 /// Points at one of [`Scene::surfaces`].
@@ -171,6 +174,7 @@ impl Scene {
         }));
         self.textures.extend(later.textures);
         self.world.extend(later.world.iter().map(|id| ObjectId(id.0 + objects)));
+        self.facing.extend(later.facing.iter().map(|id| ObjectId(id.0 + objects)));
         self.lights.extend(later.lights.into_iter().map(|light| Light { place: moved(light.place), ..light }));
         self.camera = later.camera.map(|camera| Camera { place: moved(camera.place), ..camera }).or(self.camera);
         self.background = later.background.or(self.background);

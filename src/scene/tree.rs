@@ -4,7 +4,7 @@
 //! parents, so 60 doublings make 2^60 instances out of a short file.
 
 use super::{Object, ObjectId, Scene};
-use crate::math::Affine3;
+use crate::math::{Affine3, Mat3, Vec3, unit};
 
 /// One instance of an object, with the transform that leads from its local space to world space.
 #[derive(Clone, Copy, Debug)]
@@ -59,13 +59,30 @@ impl Scene {
         let stack = &mut walk.stack;
         stack.clear();
         stack.extend(self.world.iter().rev().map(|&id| (id, self.object(id).parent_from_local)));
-        while let Some((id, world_from_local)) = stack.pop() {
+        while let Some((id, mut world_from_local)) = stack.pop() {
             let object = self.object(id);
+            // Most scenes have none.
+            if !self.facing.is_empty() && self.facing.contains(&id) {
+                world_from_local = self.facing_the_eye(&world_from_local);
+            }
             visit(Placed { object, id, world_from_local });
             let children = object.children.iter().rev();
             stack.extend(children.map(|&child| (child, world_from_local * self.object(child).parent_from_local)));
         }
         Ok(())
+    }
+
+    /// The same place, with the object's front turned to the eye about its own z axis. An eye on that axis sees it as it stands.
+    ///
+    /// No angle is needed: across is square to the axis and to the way to the eye (Caralo's `atan` divides by zero where the eye is in line).
+    fn facing_the_eye(&self, placed: &Affine3) -> Affine3 {
+        let [x, y, z] = [placed.matrix3.x_axis, placed.matrix3.y_axis, placed.matrix3.z_axis];
+        let way = self.camera.map_or(Vec3::ZERO, |camera| camera.from - placed.translation);
+        let Some(axis) = unit(z) else { return *placed };
+        let Some(ahead) = unit(way - axis * axis.dot(way)) else { return *placed };
+        let across = axis.cross(ahead);
+        let matrix3 = Mat3::from_cols(across * x.length(), -ahead * y.length(), z);
+        Affine3 { matrix3, translation: placed.translation }
     }
 
     /// How many instances there are; `None` for more than the budget and for an object within itself. Every object is looked at once.
@@ -101,8 +118,7 @@ impl Scene {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::Vec3;
-    use crate::scene::Place;
+    use crate::scene::{Camera, Place};
 
     fn object(name: &str, x: f64, children: &[u32]) -> Object {
         Object {
@@ -111,6 +127,47 @@ mod tests {
             surfaces: Vec::new(),
             children: children.iter().map(|&id| ObjectId(id)).collect(),
             place: Place::default(),
+        }
+    }
+
+    #[test]
+    fn what_faces_the_camera_does_so_from_everywhere() {
+        let camera = |from: Vec3| Camera {
+            from,
+            at: Vec3::ZERO,
+            up: Vec3::Z,
+            angle: 45.0,
+            hither: 1.0,
+            yon: None,
+            resolution: (8, 8),
+            place: Place::default(),
+        };
+        let placed = |from: Vec3| {
+            let scale = Affine3::from_scale(Vec3::new(2.0, 3.0, 5.0));
+            let parent_from_local = Affine3::from_translation(Vec3::new(1.0, 2.0, 3.0)) * scale;
+            let objects = vec![Object { parent_from_local, ..object("tree", 0.0, &[]) }];
+            let world = vec![ObjectId(0)];
+            let facing = world.iter().copied().collect();
+            let scene = Scene { objects, world, facing, camera: Some(camera(from)), ..Scene::default() };
+            let mut found = Affine3::IDENTITY;
+            scene.walk(|placed| found = placed.world_from_local).expect("one object");
+            found
+        };
+        let mut before = placed(Vec3::new(11.0, 2.0, 40.0)).matrix3;
+        for degree in 0..=360 {
+            let angle = crate::math::radians(f64::from(degree));
+            let (sin, cos) = (crate::math::sin(angle), crate::math::cos(angle));
+            let found = placed(Vec3::new(1.0 + 10.0 * cos, 2.0 + 10.0 * sin, 40.0));
+            let matrix = found.matrix3;
+            assert!((matrix.y_axis - Vec3::new(-3.0 * cos, -3.0 * sin, 0.0)).length() < 1e-12, "{degree}");
+            assert!((matrix.x_axis.length() - 2.0).abs() < 1e-12 && matrix.z_axis == Vec3::new(0.0, 0.0, 5.0));
+            assert!((matrix.determinant() - 30.0).abs() < 1e-9 && (matrix.x_axis - before.x_axis).length() < 0.05);
+            assert_eq!(found.translation, Vec3::new(1.0, 2.0, 3.0));
+            before = matrix;
+        }
+        // Straight above and at no distance it stands as it does.
+        for from in [Vec3::new(1.0, 2.0, 40.0), Vec3::new(1.0, 2.0, 3.0)] {
+            assert_eq!(placed(from).matrix3.x_axis, Vec3::new(2.0, 0.0, 0.0));
         }
     }
 

@@ -31,6 +31,7 @@ pub fn scene(random: &mut Random, kinds: Kinds) -> Scene {
         })
         .collect();
     Scene {
+        facing: Default::default(),
         textures: Vec::new(),
         files: vec!["by hand".into()],
         objects,

@@ -124,6 +124,7 @@ pub fn to_scene(grid: &Grid, mesh: &ReliefMesh, colors: &Colors) -> Scene {
         place,
     };
     Scene {
+        facing: std::collections::BTreeSet::new(),
         textures: Vec::new(),
         files: vec![grid.name.clone()],
         objects: vec![object],

@@ -68,6 +68,7 @@ pub(super) fn scene(camera: Camera, surfaces: Vec<Surface>) -> Scene {
         place: Place::default(),
     };
     Scene {
+        facing: std::collections::BTreeSet::new(),
         textures: Vec::new(),
         files: vec!["made".into()],
         objects: vec![object],

@@ -106,6 +106,7 @@ pub(super) fn scene(camera: Camera, material: Material, mesh: Mesh, two_sided: b
     let object =
         Object { name: String::new(), parent_from_local: Affine3::IDENTITY, surfaces, children: Vec::new(), place };
     Scene {
+        facing: std::collections::BTreeSet::new(),
         textures: Vec::new(),
         files: vec!["check".into()],
         objects: vec![object],

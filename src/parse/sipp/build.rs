@@ -13,7 +13,7 @@ use super::draft::{Copying, Draft, Node, NodeKind, RawSurface};
 use super::names::bytes;
 use crate::diagnostic::{Source, Span, printable};
 use crate::math::Affine3;
-use crate::scene::{Camera, Material, Object, ObjectId, Place, Scene, Surface, SurfaceId};
+use crate::scene::{Camera, Material, Object, ObjectId, Place, Reflection, Scene, Surface, SurfaceId, TextureId};
 
 /// The scene of a draft that is free of mistakes.
 pub(super) fn build(source: &Source, mut draft: Draft, checked: &Checked) -> Scene {
@@ -27,7 +27,10 @@ pub(super) fn build(source: &Source, mut draft: Draft, checked: &Checked) -> Sce
     let two_sided = draft.two_sided;
     let materials: Vec<(Material, u32)> = draft.shaders.iter().map(|shader| (shader.material, shader.line)).collect();
     let surfaces = surfaces.into_iter().zip(&checked.shaders);
-    let surfaces = surfaces.map(|(surface, &shader)| finished(surface, materials[shader as usize], two_sided));
+    let surfaces = surfaces.map(|(surface, &shader)| {
+        let made_of = shader.map_or((picture_material(surface.picture), 0), |shader| materials[shader as usize]);
+        finished(surface, made_of, two_sided)
+    });
     let imports = std::mem::take(&mut draft.imports);
     let mut builder = Builder {
         source,
@@ -46,6 +49,12 @@ pub(super) fn build(source: &Source, mut draft: Draft, checked: &Checked) -> Sce
     imports.into_iter().for_each(|import| builder.import(import));
     checked.order.iter().for_each(|&node| builder.node(node));
     builder.scene
+}
+
+/// A picture as it is: no light shades what has no form.
+fn picture_material(texture: Option<TextureId>) -> Material {
+    let reflection = Reflection::Phong;
+    Material { reflection, ambient: Some(1.0), diffuse: 0.0, specular: 0.0, texture, ..Material::default() }
 }
 
 fn finished(surface: RawSurface, (material, line): (Material, u32), two_sided: bool) -> Surface {
@@ -132,7 +141,11 @@ impl Builder<'_> {
             children: parts.children,
             place: Place { file: 0, line: node.line },
         });
-        ObjectId(self.scene.objects.len() as u32 - 1)
+        let id = ObjectId(self.scene.objects.len() as u32 - 1);
+        if node.kind == NodeKind::Facing {
+            self.scene.facing.insert(id);
+        }
+        id
     }
 
     /// The children of a world are the top-level objects; what it has of its own needs an object to belong to.
@@ -169,9 +182,13 @@ impl Builder<'_> {
     }
 
     fn repeat(&mut self, object: ObjectId) -> ObjectId {
-        let again = self.scene.object(object).clone();
-        self.scene.objects.push(again);
-        ObjectId(self.scene.objects.len() as u32 - 1)
+        let copy = self.scene.object(object).clone();
+        self.scene.objects.push(copy);
+        let again = ObjectId(self.scene.objects.len() as u32 - 1);
+        if self.scene.facing.contains(&object) {
+            self.scene.facing.insert(again);
+        }
+        again
     }
 
     /// New nodes and new surfaces, of another shader if there is one.

@@ -6,7 +6,7 @@
 //! Cost: linear in nodes and references.
 
 use super::MOST_ERRORS;
-use super::draft::{Copying, Draft, Node, NodeKind};
+use super::draft::{Copying, Draft, Node, NodeKind, RawSurface};
 use super::names::{Names, bytes};
 use super::notices::{Notices, Oddity};
 use super::order::order;
@@ -21,8 +21,8 @@ const MOST_CLONED_CORNERS: u64 = 20_000_000;
 
 /// What was looked up.
 pub(super) struct Checked {
-    /// For each surface of the draft, its shader.
-    pub shaders: Vec<u32>,
+    /// For each surface of the draft, its shader; none where it shows a picture as it is.
+    pub shaders: Vec<Option<u32>>,
     /// For each node, the node that it refers to.
     pub targets: Vec<Option<u32>>,
     /// For each clone, the shader that replaces others.
@@ -42,8 +42,12 @@ pub(super) fn check(source: &Source, draft: &Draft, notices: &mut Notices) -> Re
         }
         lookup().map_err(|error| errors.push(error)).ok()
     };
-    let shaders: Vec<u32> =
-        draft.surfaces.iter().map(|surface| found(&|| names.shader(surface.shader)).unwrap_or_default()).collect();
+    let mut shader_of = |surface: &RawSurface| match surface.picture {
+        // It needs none.
+        Some(_) => None,
+        None => Some(found(&|| names.shader(surface.shader)).unwrap_or_default()),
+    };
+    let shaders: Vec<Option<u32>> = draft.surfaces.iter().map(&mut shader_of).collect();
     let (mut targets, mut new_shaders) = (vec![None; draft.nodes.len()], vec![None; draft.nodes.len()]);
     for (index, node) in draft.nodes.iter().enumerate() {
         let NodeKind::Reference { target, shader, .. } = node.kind else { continue };

@@ -8,7 +8,7 @@
 
 use crate::diagnostic::Span;
 use crate::math::Affine3;
-use crate::scene::{Camera, Light, Material, Mesh, Primitive, Scene, Texture};
+use crate::scene::{Camera, Light, Material, Mesh, Primitive, Scene, Texture, TextureId};
 
 /// Everything a file says.
 #[derive(Default)]
@@ -67,6 +67,8 @@ pub(super) enum NodeKind {
     Definition,
     /// A block inside another: it is drawn where it stands.
     Nested,
+    /// Likewise, and it turns to the camera.
+    Facing,
     /// A `world`.
     World,
     /// `use`, `copy`, `clone`: those of the object `target`.
@@ -97,4 +99,6 @@ pub(super) struct RawSurface {
     pub mesh: Mesh,
     pub primitive: Option<Primitive>,
     pub two_sided: Option<bool>,
+    /// In place of a shader: a picture that is shown as it is.
+    pub picture: Option<TextureId>,
 }

@@ -21,6 +21,7 @@ mod order;
 mod outline;
 mod recover;
 mod shapes;
+mod standing;
 mod statements;
 mod surface;
 mod table;
@@ -211,6 +212,10 @@ impl<'a> Reader<'a> {
                     _ => self.reference(token.span, line)?,
                 };
                 self.draft.nodes[owner as usize].children.push(child);
+            }
+            b"billboard" | b"crossed" => {
+                let child = self.standing(token.span, line)?;
+                self.draft.nodes[owner as usize].children.extend(child);
             }
             b"surface" => {
                 let surface = self.surface(token.span)?;

@@ -56,7 +56,7 @@ impl<'a> Names<'a> {
                     Entry::Vacant(entry) => _ = entry.insert(Nested { first: index, second: None }),
                     Entry::Occupied(mut entry) => entry.get_mut().second = entry.get().second.or(Some(index)),
                 },
-                NodeKind::World | NodeKind::Reference { .. } | NodeKind::Import(_) => {}
+                NodeKind::World | NodeKind::Facing | NodeKind::Reference { .. } | NodeKind::Import(_) => {}
             }
         }
         names

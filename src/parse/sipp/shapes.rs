@@ -35,7 +35,7 @@ impl Reader<'_> {
         };
         let two_sided = block.find("two_sided").map(|given| self.words.bytes(given.values) == b"on");
         let (shader, primitive) = (shader.values, Some(primitive));
-        self.draft.surfaces.push(RawSurface { shader, mesh: Mesh::default(), primitive, two_sided });
+        self.draft.surfaces.push(RawSurface { shader, mesh: Mesh::default(), primitive, two_sided, picture: None });
         Ok(Some(self.draft.surfaces.len() as u32 - 1))
     }
 

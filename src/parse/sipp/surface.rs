@@ -65,7 +65,7 @@ impl Reader<'_> {
         self.open_blocks.pop();
         let two_sided = draft.two_sided;
         let mesh = self.mesh(draft);
-        self.draft.surfaces.push(RawSurface { shader, mesh, primitive: None, two_sided });
+        self.draft.surfaces.push(RawSurface { shader, mesh, primitive: None, two_sided, picture: None });
         Ok(self.draft.surfaces.len() as u32 - 1)
     }
 

@@ -9,7 +9,7 @@ use super::block::Block;
 use super::check::Checked;
 use super::notices::Oddity;
 use super::trouble::Trouble;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Span};
 use crate::image::textures::{self, Wrap};
 use crate::parse::wording::plain;
 use crate::scene::{CutOut, Texture, TextureId};
@@ -32,9 +32,8 @@ impl Reader<'_> {
                 }
             };
         };
-        let name = plain(self.words.bytes(given.values));
         let cut_out = block.number("cutout").map(|threshold| CutOut { threshold });
-        let key = block.find("key").map(|key| std::array::from_fn(|channel| level(key.numbers.get(channel))));
+        let key = key_of(block);
         let wrap = match self.words.bytes(block.place("wrap")) {
             b"repeat" => Wrap::Repeat,
             b"clamp" => Wrap::Clamp,
@@ -42,32 +41,47 @@ impl Reader<'_> {
             _ if cut_out.is_some() => Wrap::Clamp,
             _ => Wrap::Repeat,
         };
+        self.picture(given.values, (key, cut_out, wrap)).map(Some)
+    }
+
+    /// Reads a picture, or shares one that was read before.
+    pub(super) fn picture(
+        &mut self,
+        named: Span,
+        (key, cut_out, wrap): (Option<[u8; 3]>, Option<CutOut>, Wrap),
+    ) -> Result<TextureId, Trouble> {
+        let name = plain(self.words.bytes(named));
         let known = self.draft.textures.iter().find(|known| known.name == name && known.key == key);
         let texels = match known {
             Some(known) => known.texels.clone(),
             None => {
-                let read = textures::read(&self.path(given.values)).map_err(|error| {
-                    let error =
-                        Diagnostic::error(format!("no texture `{name}`: {error}")).at(given.values, "named here");
+                let read = textures::read(&self.path(named)).map_err(|error| {
+                    let error = Diagnostic::error(format!("no texture `{name}`: {error}")).at(named, "named here");
                     error.help("PNG, BMP and PPM are read; the name is relative to the folder of the scene")
                 })?;
                 Arc::new(if let Some(key) = key { read.keyed(key) } else { read })
             }
         };
         self.draft.textures.push(Texture { name, texels, mosaic: None, lookup: None, cut_out, fade: None, wrap, key });
-        Ok(Some(TextureId(self.draft.textures.len() as u32 - 1)))
+        Ok(TextureId(self.draft.textures.len() as u32 - 1))
     }
 
     /// Notes surfaces that have a picture and nothing to wear it: without texture coordinates, or shapes.
     pub(super) fn note_pictures_without_places(&mut self, checked: &Checked) {
         let surfaces = self.draft.surfaces.iter().zip(&checked.shaders);
         for (surface, &shader) in surfaces {
+            let Some(shader) = shader else { continue };
             let has_picture = self.draft.shaders[shader as usize].material.texture.is_some();
             if has_picture && (surface.mesh.texture.is_empty() || surface.primitive.is_some()) {
                 self.notices.note(Oddity::PictureWithoutPlaces, surface.shader);
             }
         }
     }
+}
+
+/// The color that is not there.
+pub(super) fn key_of(block: &Block) -> Option<[u8; 3]> {
+    block.find("key").map(|key| std::array::from_fn(|channel| level(key.numbers.get(channel))))
 }
 
 /// A display value as a level of 8 bits.

@@ -34,6 +34,8 @@ pub(super) const ITEM_WORDS: &[&str] = &[
     "teapot_spout",
     "open_cone",
     "bezier",
+    "billboard",
+    "crossed",
 ];
 
 /// Words that start a transform.
@@ -53,6 +55,9 @@ const TEXTURE: Parameter = other("texture", "texture \"FILE\"", Takes::Text);
 const CUTOUT: Parameter = numbers("cutout", "cutout N", &[1], Range::Fraction);
 const KEY: Parameter = numbers("key", "key R G B", &[3], Range::Fraction);
 const WRAP: Parameter = other("wrap", "wrap repeat or wrap clamp", Takes::OneOf(&["repeat", "clamp"]));
+
+/// What `billboard` and `crossed` may have between braces.
+pub(super) const STANDING: &[Parameter] = &[CUTOUT, KEY];
 
 pub(super) const PHONG: &[Parameter] = &[
     AMBIENT,

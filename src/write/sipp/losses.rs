@@ -17,6 +17,8 @@ pub(super) struct Losses {
     pub pictures: usize,
     /// Shaders whose picture fades, is a mosaic or a map.
     pub fades: usize,
+    /// Objects that turn to the camera.
+    pub facing: usize,
     /// Objects that got another name, or one at all.
     pub names: usize,
 }
@@ -40,6 +42,7 @@ impl Losses {
             counted(self.mixed_surfaces, "surfaces of polygons and shapes, taken apart: the polygons of each stay together"),
             counted(self.pictures, "shaders with a picture, named as in the scene and not copied: keep it beside the file"),
             counted(self.fades, "shaders whose picture is shown whole, without its fade, its mosaic or its map"),
+            counted(self.facing, "objects that turn to the camera, written as they stand without it"),
             counted(self.names, "names of objects changed or made up: what stands in several places needs a name of its own"),
         ]
         .into_iter()

@@ -36,7 +36,7 @@ const DEEPEST_INDENTATION: usize = 12;
 /// # Errors
 /// Those of `out`; [`io::ErrorKind::InvalidData`] for a number that is infinite or not a number and for an object inside itself.
 pub fn write_sipp(scene: &Scene, out: &mut dyn Write) -> io::Result<Vec<String>> {
-    let mut losses = Losses::default();
+    let mut losses = Losses { facing: scene.facing.len(), ..Losses::default() };
     let sharing = Sharing::of(scene, &mut losses)?;
     let shaders = Shaders::of(scene, &sharing, &mut losses);
     let default_two_sided = sharing.surfaces().all(|id| scene.surface(id).two_sided) && sharing.surfaces().count() > 0;
