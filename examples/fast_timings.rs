@@ -37,6 +37,7 @@ fn scene_of(mesh: Mesh) -> Scene {
     };
     let (from, at, up) = (Vec3::ZERO, Vec3::NEG_Z, Vec3::Y);
     Scene {
+        facing: Default::default(),
         textures: Vec::new(),
         files: vec!["made".into()],
         objects: vec![object],

@@ -45,6 +45,7 @@ fn hills(side: usize, surfaces: usize) -> Scene {
     };
     let (from, at, up) = (Vec3::new(0.0, 1.5, 2.2), Vec3::ZERO, Vec3::Y);
     Scene {
+        facing: Default::default(),
         textures: Vec::new(),
         files: vec!["made".into()],
         objects: vec![object],

@@ -128,6 +128,15 @@ impl Diagnostics {
         Diagnostics { name: String::new(), list: vec![diagnostic], excerpts: BTreeMap::new() }
     }
 
+    /// The same, each saying that `place` names the source.
+    #[must_use]
+    pub fn named_by(mut self, place: &str) -> Diagnostics {
+        for diagnostic in &mut self.list {
+            diagnostic.message = format!("{} (named by {place})", diagnostic.message);
+        }
+        self
+    }
+
     /// `name:line:column` of the mistake of one of them; `None` where it has no place.
     #[must_use]
     pub fn place(&self, diagnostic: &Diagnostic) -> Option<String> {

@@ -44,6 +44,7 @@ fn area(random: &mut Random) -> Area {
     let side = [240.0, 100.5, 30.0][random.below(3)];
     let place = Place::default();
     let head = Head {
+        objects: Vec::new(),
         files: vec!["area.fcell".to_string()],
         crs: ["", "EPSG:32629", "a map of ours"][random.below(3)].to_string(),
         origin: [random.between(-1e6, 1e6), random.between(0.0, 1e7)],
@@ -444,8 +445,11 @@ fn large_areas_are_refused_with_what_to_do() {
         }
         read_fcell("large", (text + "end").as_bytes()).expect("legal").0
     };
-    let refused =
-        |area: Area| tree::scene(&Cells::Loaded(area), Path::new(""), None).expect_err("too large").to_string();
+    let refused = |area: Area| {
+        tree::scene(&Cells::Loaded(area), (Path::new(""), &std::collections::BTreeMap::new()), None)
+            .expect_err("too large")
+            .to_string()
+    };
     let trees = refused(flat(6, 20_000));
     assert!(trees.contains("500000") && trees.contains("farop forest"), "{trees}");
     let cells = refused(flat(2001, 0));

@@ -24,6 +24,7 @@ fn area() -> Cells {
     let species = |code: &str, form| Species { code: code.into(), form, images: vec![], place };
     let cover = |number: u32, name: &str| Cover { number, image: format!("paint:{name}"), tile: 30.0, place };
     let head = Head {
+        objects: Vec::new(),
         side: 240.0,
         seed: 11,
         species: vec![species("PINE", Form::Conifer), species("OAK", Form::Broadleaf)],

@@ -90,6 +90,7 @@ fn scene() -> Scene {
     };
     let light = Light::point(Vec3::new(2.0, 3.0, 5.0), Rgb::WHITE, Place::default());
     Scene {
+        facing: Default::default(),
         textures: Vec::new(),
         files: vec!["scene".to_string()],
         objects: vec![object],

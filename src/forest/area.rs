@@ -11,6 +11,7 @@
 //! the equator, say) is only added where somebody asks for it.
 //! Source: A. Falcão, M. Próspero dos Santos, "Visualização de paisagens florestais"; the fields of a stand are those of forest inventories.
 
+use super::objects::Standing;
 use crate::math::Vec3;
 use crate::scene::Place;
 use std::collections::BTreeMap;
@@ -42,6 +43,8 @@ pub struct Head {
     pub covers: Vec<Cover>,
     /// Named places.
     pub marks: Vec<Mark>,
+    /// Scenes that stand on the land.
+    pub objects: Vec<Standing>,
 }
 
 /// An area that is all in memory.

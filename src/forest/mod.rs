@@ -23,6 +23,7 @@ pub mod heights;
 pub mod invent;
 mod land;
 pub mod map;
+pub mod objects;
 pub mod pack;
 pub mod paint;
 pub mod pictures;

@@ -7,7 +7,9 @@
 use super::input::{read_annotated_source, read_source};
 use super::{INPUT_LIMIT, ParseOptions, Parsed, fcell, ftri, nff, sipp};
 use crate::diagnostic::{Diagnostic, Diagnostics, Source, printable, suggest};
+use crate::forest::area::Head;
 use crate::forest::cells::Cells;
+use crate::forest::objects::Models;
 use crate::forest::pack::Pack;
 use crate::forest::tree;
 use flate2::bufread::MultiGzDecoder;
@@ -106,6 +108,35 @@ pub fn load_cells(path: &Path) -> Result<(Cells, Diagnostics), Diagnostics> {
     }
 }
 
+/// Reads the scenes that stand on an area, each once; their names are relative to `folder`.
+///
+/// # Errors
+/// One of them cannot be read, or has mistakes.
+pub fn load_models(head: &Head, folder: &Path) -> Result<Models, Diagnostics> {
+    let mut models = Models::new();
+    for standing in &head.objects {
+        if models.contains_key(&standing.file) {
+            continue;
+        }
+        let path = folder.join(&standing.file);
+        let is_area = matches!(Format::of_path(&path), Some(Format::Fcell | Format::Fpack));
+        if is_area {
+            let error = Diagnostic::error(format!("`{}` is no scene that can stand on an area", standing.file));
+            return Err(failure(error.help("scenes are `.nff`, `.sipp` and `.ftri`")));
+        }
+        let Parsed { mut scene, default_camera, .. } =
+            load(&path, None, ParseOptions::default()).map_err(|errors| {
+                let file = head.files.get(usize::from(standing.place.file)).map_or("the area", String::as_str);
+                let line = standing.place.line;
+                let place = if line == 0 { file.to_string() } else { format!("{file}:{line}") };
+                errors.named_by(&place)
+            })?;
+        scene.camera = scene.camera.or(default_camera);
+        models.insert(standing.file.clone(), scene);
+    }
+    Ok(models)
+}
+
 /// Opens a pack, whose cells are read where they lie: neither from a pipe nor out of gzip.
 fn open_pack(path: &Path) -> Result<Pack, Diagnostics> {
     Pack::open(path).map_err(|error| failure(Diagnostic::error(error.to_string())))
@@ -113,7 +144,9 @@ fn open_pack(path: &Path) -> Result<Pack, Diagnostics> {
 
 /// The scene of an area; what the area has to tell is in `notices`, and how many trees it has is added.
 fn grown(cells: &Cells, folder: &Path, mut notices: Diagnostics) -> Result<Parsed, Diagnostics> {
-    let grown = tree::scene(cells, folder, None).map_err(|error| failure(Diagnostic::error(error.to_string())))?;
+    let models = load_models(cells.head(), folder)?;
+    let grown =
+        tree::scene(cells, (folder, &models), None).map_err(|error| failure(Diagnostic::error(error.to_string())))?;
     let count = cells.indices().len();
     let message = format!("{} trees in {count} cells, each an object of the scene", grown.trees);
     notices.list.push(Diagnostic::notice(message));

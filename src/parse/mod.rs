@@ -28,7 +28,7 @@ pub use bezier::Net as BezierNet;
 pub use fmap::load_map;
 pub use grids::{GridOptions, load_grid, read_grid};
 pub use input::{INPUT_LIMIT, LINE_LIMIT};
-pub use load::{Format, load, load_cells};
+pub use load::{Format, load, load_cells, load_models};
 pub use vector::{Vectors, load_vectors};
 
 use crate::diagnostic::Diagnostics;

@@ -29,6 +29,7 @@ mod show;
 mod solids;
 pub mod stages;
 mod state;
+pub mod steer;
 mod steps;
 pub mod tour;
 mod words;

@@ -68,6 +68,12 @@ impl Printer<'_> {
             self.numbers(&mark.at)?;
             writeln!(self.out)?;
         }
+        for object in &head.objects {
+            write!(self.out, "object")?;
+            self.name(&object.file)?;
+            self.numbers(&[object.at[0], object.at[1], object.turn, object.scale])?;
+            writeln!(self.out)?;
+        }
         Ok(())
     }
 

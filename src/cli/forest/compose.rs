@@ -2,11 +2,15 @@
 
 use super::maps;
 use super::options::{Forest, TreesName};
-use crate::cli::error::CliError;
+use crate::cli::error::{self, CliError};
 use crate::forest::cells::Cells;
 use crate::forest::frame::{self, FrameCounts, Trees};
+use crate::forest::heights::Heights;
+use crate::forest::objects::stand;
 use crate::forest::pictures::Pictures;
 use crate::forest::silhouette::without_pictures;
+use crate::math::Vec3;
+use crate::parse::load_models;
 use crate::scene::{Camera, Scene};
 use std::path::Path;
 
@@ -33,6 +37,9 @@ impl<'a> Composer<'a> {
         let pictures = Pictures::new(wanted.cells.head(), wanted.folder).map_err(CliError::failed)?;
         let choices = choices(wanted.options, wanted.year);
         let mut composer = frame::Composer::new(wanted.cells, pictures, choices).map_err(CliError::failed)?;
+        let models = load_models(wanted.cells.head(), wanted.folder);
+        let models = models.map_err(|errors| CliError::Diagnosed(errors.render(error::stderr_has_color())))?;
+        composer.stand_objects(&models).map_err(CliError::failed)?;
         if let Some((name, shapes)) = maps::of(wanted.options, wanted.cells.head())? {
             composer.lay_map(&name, shapes, maps::laying(wanted.options)).map_err(CliError::failed)?;
         }
@@ -55,6 +62,15 @@ impl<'a> Composer<'a> {
             }
         }
     }
+}
+
+/// Boxes around what stands on an area, world space.
+pub(super) fn boxes(cells: &Cells, folder: &Path) -> Result<Vec<[Vec3; 2]>, CliError> {
+    let models = load_models(cells.head(), folder);
+    let models = models.map_err(|errors| CliError::Diagnosed(errors.render(error::stderr_has_color())))?;
+    let mut heights = Heights::default();
+    let stood = stand(cells.head(), &models, |place| heights.at(cells, place).unwrap_or_default());
+    Ok(stood.map_err(CliError::failed)?.boxes)
 }
 
 /// The choices that options make.

@@ -5,7 +5,7 @@
 use super::observer::Observer;
 use super::options::Eye;
 use super::{folder_of, stock};
-use crate::cli::error::CliError;
+use crate::cli::error::{self, CliError};
 use crate::cli::options::PictureOptions;
 use crate::forest::cells::Cells;
 use crate::forest::frame::{Choices, Composer};
@@ -13,6 +13,7 @@ use crate::forest::pictures::Pictures;
 use crate::lab::Row;
 use crate::lab::forest::{Subject, run, ways};
 use crate::lab::measure::Effort;
+use crate::parse::load_models;
 use crate::raster::Rasterizer;
 use crate::scene::{Camera, Scene};
 use std::path::Path;
@@ -50,7 +51,11 @@ pub(in crate::cli) fn of_large_pack(
 
 fn composer<'a>(cells: &'a Cells, path: &Path, choices: Choices) -> Result<Composer<'a>, CliError> {
     let pictures = Pictures::new(cells.head(), folder_of(path)).map_err(CliError::failed)?;
-    Composer::new(cells, pictures, choices).map_err(CliError::failed)
+    let mut composer = Composer::new(cells, pictures, choices).map_err(CliError::failed)?;
+    let models = load_models(cells.head(), folder_of(path));
+    let models = models.map_err(|errors| CliError::Diagnosed(errors.render(error::stderr_has_color())))?;
+    composer.stand_objects(&models).map_err(CliError::failed)?;
+    Ok(composer)
 }
 
 /// The camera of an observer who was told nothing, and what the command line makes of it.

@@ -77,7 +77,9 @@ impl ForestCommand {
             ));
         }
         if walk.has_purpose() && !walk.is_wanted() {
-            return Err(CliError::failed("there is no walk: add --path FILE, --walk \"X Y H X Y H\" or --tour"));
+            return Err(CliError::failed(
+                "there is no walk: add --path FILE, --walk \"X Y H X Y H\", --input FILE or --tour",
+            ));
         }
         if let Some(frames) = &walk.frames {
             Movie::check_name(frames).map_err(CliError::failed)?;
@@ -133,6 +135,9 @@ impl ForestCommand {
 
     fn walk_through(&self, path: &Path, cells: &Cells, found: &Chosen<'_>) -> Result<(), CliError> {
         let mut observer = Observer::new(self.year);
+        if self.walk.collide.is_some() {
+            observer.stand_in_the_way(compose::boxes(cells, folder_of(path))?);
+        }
         let poses = walk::poses(self, cells, &mut observer)?;
         if !(self.walk.hash || self.walk.benchmark || self.walk.frames.is_some()) {
             return Ok(());

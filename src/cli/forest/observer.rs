@@ -21,6 +21,8 @@ pub(super) struct Observer {
     /// The last ground that was known.
     last: f64,
     year: Option<i32>,
+    /// Boxes around what stands on the area.
+    boxes: Vec<Volume>,
     /// The obstacles of the cell in hand and those around it.
     obstacles: Option<(CellIndex, Obstacles)>,
 }
@@ -28,6 +30,11 @@ pub(super) struct Observer {
 impl Observer {
     pub fn new(year: Option<i32>) -> Observer {
         Observer { year, ..Observer::default() }
+    }
+
+    /// What stands in these boxes is in the way, as trees are.
+    pub fn stand_in_the_way(&mut self, boxes: Vec<[Vec3; 2]>) {
+        self.boxes = boxes.into_iter().map(|[low, high]| Volume::Box { low, high }).collect();
     }
 
     /// The ground at a position; over voids and outside the last one that was known.
@@ -48,7 +55,7 @@ impl Observer {
     }
 
     fn volumes_around(&mut self, cells: &Cells, [column, row]: CellIndex) -> Result<Obstacles, CliError> {
-        let mut volumes = Vec::new();
+        let mut volumes = self.boxes.clone();
         for row in row.saturating_sub(1)..=row.saturating_add(1) {
             for column in column.saturating_sub(1)..=column.saturating_add(1) {
                 if let Some(cell) = self.heights.cell(cells, [column, row]).map_err(CliError::failed)? {

@@ -97,6 +97,9 @@ pub(in crate::cli) struct Walk {
     /// Walk over the named places, or across the area where there are none
     #[arg(long)]
     pub tour: bool,
+    /// Walk as a device steers: lines of HEADING PITCH SPEED, a frame each; - is standard input
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["path", "walk", "tour"])]
+    pub input: Option<PathBuf>,
     /// Metres a second
     #[arg(long, value_name = "M", default_value_t = 10.0, value_parser = finite)]
     pub speed: f64,

@@ -8,7 +8,10 @@ use crate::forest::collide::Response;
 use crate::image::save;
 use crate::math::Vec3;
 use crate::view::path::{Pose, read_path, write_path};
+use crate::view::steer::{read_steering, steer};
 use crate::view::tour::Tour;
+use std::io::Read;
+use std::path::Path;
 
 /// The radius of an observer in metres: shoulders.
 const SHOULDERS: f64 = 0.3;
@@ -19,7 +22,7 @@ const LEAST_AHEAD: f64 = 20.0;
 impl Walk {
     /// Whether somebody walks at all.
     pub fn is_wanted(&self) -> bool {
-        self.path.is_some() || self.walk.is_some() || self.tour
+        self.path.is_some() || self.walk.is_some() || self.input.is_some() || self.tour
     }
 
     /// Whether anything is to be made of a walk.
@@ -37,6 +40,7 @@ pub(super) fn poses(command: &ForestCommand, cells: &Cells, observer: &mut Obser
                 .map_err(|error| CliError::failed(format!("cannot read the path `{}`: {error}", path.display())))?;
             read_path(&text).map_err(|error| CliError::failed(format!("`{}`: {error}", path.display())))?
         }
+        None if walk.input.is_some() => steered(command, cells, observer)?,
         None => made(command, cells, observer)?,
     };
     if let Some(first) = walk.first {
@@ -44,7 +48,7 @@ pub(super) fn poses(command: &ForestCommand, cells: &Cells, observer: &mut Obser
     }
     if poses.is_empty() {
         return Err(CliError::failed(
-            "the path has no frames: record one with the key p of `farop view`, or with --record",
+            "the walk has no frames: record a path with the key p of `farop view`, or with --record; --input needs a line a frame",
         ));
     }
     if let Some(how) = walk.collide {
@@ -80,6 +84,29 @@ fn made(command: &ForestCommand, cells: &Cells, observer: &mut Observer) -> Resu
         Some(error) => Err(error),
         None => poses.map_err(CliError::failed),
     }
+}
+
+/// Poses as a device steers, from where the options stand.
+fn steered(command: &ForestCommand, cells: &Cells, observer: &mut Observer) -> Result<Vec<Pose>, CliError> {
+    let path = command.walk.input.as_deref().unwrap_or(Path::new("-"));
+    let is_standard = path == Path::new("-");
+    let mut text = Vec::new();
+    let read = if is_standard {
+        std::io::stdin().lock().read_to_end(&mut text)
+    } else {
+        std::fs::File::open(path).and_then(|mut file| file.read_to_end(&mut text))
+    };
+    let name = if is_standard { "<stdin>".to_string() } else { path.display().to_string() };
+    read.map_err(|error| CliError::failed(format!("cannot read `{name}`: {error}")))?;
+    let steering = read_steering(&text).map_err(|error| CliError::failed(format!("`{name}`: {error}")))?;
+    if let Some(cut) = &steering.cut {
+        notice(&format!("`{name}` ends in the middle of a line, which is left out: {cut:?}"));
+    }
+    let start = observer.camera(&command.eye, cells, command.picture.size)?.from;
+    let height = command.eye.height;
+    steer(&steering.samples, [start.x, start.y], command.walk.rate, |place| {
+        Ok(Vec3::new(place[0], place[1], observer.ground(cells, place)? + height))
+    })
 }
 
 /// `X Y H X Y H ...`; commas count as blanks.

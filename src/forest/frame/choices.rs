@@ -1,6 +1,7 @@
 //! Choices and counts of a frame.
 
 use crate::forest::map::MapError;
+use crate::forest::objects::ObjectError;
 use crate::forest::terrain::TerrainError;
 use crate::forest::window::StockError;
 use serde::Serialize;
@@ -109,6 +110,9 @@ pub enum FrameError {
     /// A cell cannot be loaded.
     #[error(transparent)]
     Stock(#[from] StockError),
+    /// An object cannot stand.
+    #[error(transparent)]
+    Object(#[from] ObjectError),
     /// A map cannot lie on the area.
     #[error(transparent)]
     Map(#[from] MapError),

@@ -34,12 +34,14 @@ pub use maps::{Laying, MapFigures};
 
 use super::cells::Cells;
 use super::frustum::{Frustum, focal};
+use super::heights::Heights;
 use super::map::Shape;
+use super::objects::{Models, Stood, stand};
 use super::pictures::Pictures;
 use super::relief::criterion::Observer;
 use super::terrain::Terrain;
 use super::terrain::relief::{Faces, View};
-use super::window::Stock;
+use super::window::{Stock, StockError};
 use crate::color::Rgb;
 use crate::math::{Affine3, Vec3};
 use crate::scene::{Camera, Object, ObjectId, Place, Scene, SurfaceId};
@@ -63,6 +65,7 @@ pub struct Composer<'a> {
     order: Order,
     lists: Lists,
     map: Option<GroundMap>,
+    stood: Stood,
 }
 
 impl<'a> Composer<'a> {
@@ -92,8 +95,30 @@ impl<'a> Composer<'a> {
             ..Scene::default()
         };
         let (sink, faces, order, lists) = (Sink::default(), Faces::default(), Order::default(), Lists::default());
-        let map = None;
-        Ok(Composer { cells, choices, pictures, terrain, stock, dress, scene, sink, faces, order, lists, map })
+        let (map, stood) = (None, Stood::default());
+        Ok(Composer { cells, choices, pictures, terrain, stock, dress, scene, sink, faces, order, lists, map, stood })
+    }
+
+    /// Stands the area's objects on its ground, from now on.
+    ///
+    /// # Errors
+    /// One cannot stand, or a cell cannot be read.
+    pub fn stand_objects(&mut self, models: &Models) -> Result<(), FrameError> {
+        let (mut heights, mut failed) = (Heights::default(), None);
+        let stood = stand(self.cells.head(), models, |place| {
+            heights.at(self.cells, place).unwrap_or_else(|error| {
+                failed = Some(error);
+                None
+            })
+        });
+        if let Some(error) = failed {
+            return Err(StockError::from(error).into());
+        }
+        self.stood = stood?.behind(self.dress.textures.len());
+        self.scene.objects.truncate(1);
+        self.scene.textures.truncate(self.dress.textures.len());
+        self.scene.textures.append(&mut self.stood.scene.textures);
+        Ok(())
     }
 
     /// Lays the view `name` of a map on the ground of all further frames: its shapes, in metres of the area, the lowest first.
@@ -154,9 +179,9 @@ impl<'a> Composer<'a> {
         let camera = Camera { resolution: size, ..*camera };
         let mut counts = FrameCounts::default();
         self.scene.camera = Some(camera);
+        self.take_objects_away();
         self.sink.surfaces = std::mem::take(&mut self.scene.surfaces);
         self.sink.clear(self.dress.pictures() * KEYS);
-        self.scene.textures.truncate(self.dress.textures.len());
         // A camera nowhere sees nothing; the plan says what is wrong with it.
         let is_somewhere = camera.from.is_finite() && camera.at.is_finite() && camera.up.is_finite();
         if is_somewhere && camera.angle > 0.0 && camera.angle < 180.0 {
@@ -167,8 +192,46 @@ impl<'a> Composer<'a> {
         let surfaces = &mut self.scene.objects[0].surfaces;
         surfaces.clear();
         surfaces.extend((0..count).map(SurfaceId));
-        counts.surfaces = u64::from(count);
+        self.put_objects(&camera, size);
+        counts.surfaces = self.scene.surfaces.len() as u64;
         Ok((&self.scene, counts))
+    }
+
+    /// What stands on the area goes behind what was made for this frame, as far as it is in view.
+    fn put_objects(&mut self, camera: &Camera, size: (u32, u32)) {
+        let Stood { scene, balls, .. } = &mut self.stood;
+        let (surfaces, objects) = (self.scene.surfaces.len() as u32, self.scene.objects.len() as u32);
+        self.scene.surfaces.append(&mut scene.surfaces);
+        for object in &mut scene.objects {
+            object.surfaces.iter_mut().for_each(|id| id.0 += surfaces);
+            object.children.iter_mut().for_each(|id| id.0 += objects);
+        }
+        self.scene.objects.append(&mut scene.objects);
+        self.scene.facing = scene.facing.iter().map(|id| ObjectId(id.0 + objects)).collect();
+        let frustum = Frustum::of_camera(camera, focal(camera, size), size);
+        let in_view = scene.world.iter().zip(balls).filter(|(_, (center, radius))| {
+            let distance = (*center - camera.from).length() - *radius;
+            distance < self.choices.horizon && frustum.sees(*center, *radius)
+        });
+        self.scene.world.extend(in_view.map(|(id, _)| ObjectId(id.0 + objects)));
+    }
+
+    /// The other way round, before the next frame.
+    fn take_objects_away(&mut self) {
+        let own = self.scene.objects[0].surfaces.len();
+        let count = self.scene.objects.len() as u32 - 1;
+        let Stood { scene, .. } = &mut self.stood;
+        if count > 0 {
+            scene.surfaces = self.scene.surfaces.split_off(own);
+            scene.objects = self.scene.objects.split_off(1);
+            for object in &mut scene.objects {
+                object.surfaces.iter_mut().for_each(|id| id.0 -= own as u32);
+                object.children.iter_mut().for_each(|id| id.0 -= 1);
+            }
+        }
+        self.scene.world.truncate(1);
+        let textures = scene.surfaces.iter().filter_map(|surface| surface.material.texture).map(|id| id.0 + 1).max();
+        self.scene.textures.truncate(textures.map_or(0, |count| count as usize).max(self.dress.textures.len()));
     }
 
     fn fill(&mut self, camera: &Camera, size: (u32, u32), counts: &mut FrameCounts) -> Result<(), FrameError> {

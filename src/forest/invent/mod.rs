@@ -78,6 +78,7 @@ pub fn invent(hectares: f64, seed: u64) -> Result<Invented, InventError> {
     let marks = ways::marks(&relief);
     let lines = ways::lines(&relief, &marks, SIDE);
     let head = Head {
+        objects: Vec::new(),
         files: Vec::new(),
         crs: String::new(),
         origin: [0.0; 2],

@@ -9,9 +9,11 @@
 //! | `SPEC` | species: code, form (u8), pictures, place |
 //! | `COVR` | covers: number (u32), tile (f64), picture, place |
 //! | `MARK` | landmarks: x, y (2 f64), name, place |
+//! | `OBJS` | objects: x, y, turn, scale (4 f64), file, place; missing where there are none |
 
 use super::bytes::{Reader, chunk, chunks, push_chunk, push_count, push_f64, push_text};
 use crate::forest::area::{Cover, Form, Head, Mark, Species};
+use crate::forest::objects::Standing;
 use crate::scene::Place;
 
 /// The chunks of `head`, one behind the other.
@@ -53,7 +55,22 @@ pub(super) fn encode(head: &Head) -> Result<Vec<u8>, String> {
             Ok(())
         })
     })?;
+    // Areas without objects are packed as before there were any.
+    if !head.objects.is_empty() {
+        push_chunk(&mut bytes, b"OBJS", |bytes| push_objects(bytes, &head.objects))?;
+    }
     Ok(bytes)
+}
+
+fn push_objects(bytes: &mut Vec<u8>, objects: &[Standing]) -> Result<(), String> {
+    push_count(bytes, objects.len())?;
+    objects.iter().try_for_each(|object| {
+        let [x, y] = object.at;
+        [x, y, object.turn, object.scale].into_iter().try_for_each(|number| push_f64(bytes, number))?;
+        push_text(bytes, &object.file)?;
+        push_place(bytes, object.place);
+        Ok(())
+    })
 }
 
 fn push_species(bytes: &mut Vec<u8>, species: &Species) -> Result<(), String> {
@@ -85,6 +102,10 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Head, String> {
     head.marks = Reader::new(list(b"MARK"), "landmarks").list(24, |reader| {
         let at = [reader.f64()?, reader.f64()?];
         Ok(Mark { at, name: reader.text()?, place: place(reader)? })
+    })?;
+    head.objects = Reader::new(list(b"OBJS"), "objects").list(40, |reader| {
+        let (at, turn, scale) = ([reader.f64()?, reader.f64()?], reader.f64()?, reader.f64()?);
+        Ok(Standing { file: reader.text()?, at, turn, scale, place: place(reader)? })
     })?;
     check(&head)?;
     Ok(head)

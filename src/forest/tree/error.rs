@@ -1,6 +1,7 @@
 //! Why an area makes no scene tree, and what to do.
 
 use super::{MOST_CELLS, MOST_TREES};
+use crate::forest::objects::ObjectError;
 use crate::forest::pack::PackError;
 
 /// Why an area makes no scene tree. The message says what, and what to do.
@@ -36,6 +37,9 @@ pub enum TreeError {
     /// Trees cannot be placed.
     #[error("{0}")]
     Growth(String),
+    /// An object cannot stand.
+    #[error(transparent)]
+    Object(#[from] ObjectError),
     /// A cell cannot be read.
     #[error(transparent)]
     Pack(#[from] PackError),

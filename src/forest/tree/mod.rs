@@ -25,6 +25,7 @@ pub use error::TreeError;
 
 use super::area::{Cell, CellIndex, Head};
 use super::cells::Cells;
+use super::objects::{Models, stand};
 use crate::math::{Affine3, Vec3};
 use crate::scene::{Camera, Object, ObjectId, Place, Scene, Surface, SurfaceId};
 use ground::Land;
@@ -48,11 +49,11 @@ pub struct Grown {
     pub trees: usize,
 }
 
-/// The scene of all cells in a year (`None`: the first of every stand); pictures are looked for in `folder`.
+/// The scene of all cells in a year (`None`: the first of every stand); pictures are looked for in `folder`, objects among `models`.
 ///
 /// # Errors
 /// [`TreeError`]: more trees or cells than [`MOST_TREES`] and [`MOST_CELLS`], a picture or a cell that cannot be read.
-pub fn scene(cells: &Cells, folder: &Path, year: Option<i32>) -> Result<Grown, TreeError> {
+pub fn scene(cells: &Cells, (folder, models): (&Path, &Models), year: Option<i32>) -> Result<Grown, TreeError> {
     let loaded = load(cells, year)?;
     let head = cells.head();
     let mut builder = Builder {
@@ -74,8 +75,13 @@ pub fn scene(cells: &Cells, folder: &Path, year: Option<i32>) -> Result<Grown, T
         let object = builder.object(&mark.name, Affine3::from_translation(foot), mark.place);
         builder.child(area, object);
     }
+    let stood = stand(head, models, |place| builder.land.height(place))?;
     let Builder { mut scene, land, pictures, trees, .. } = builder;
     scene.textures = pictures.textures;
+    scene.merge(stood.scene);
+    // In the one tree: what stands on the area is part of it.
+    let stood = scene.world.split_off(1);
+    scene.objects[area.0 as usize].children.extend(stood);
     let camera = view::camera(&land);
     scene.lights.push(view::sun());
     scene.background = Some(view::SKY);

@@ -3,12 +3,16 @@
 use super::Reader;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::forest::area::{Cover, Form, Mark, Species};
+use crate::forest::objects::Standing;
 use crate::forest::paint;
 use crate::parse::statements::did_you_mean;
 use crate::parse::wording::quote;
+use std::path::Path;
 
 /// The largest coordinate of a map.
 const FARTHEST: f64 = 1e9;
+/// The smallest scale of an object; the largest is its inverse.
+const SMALLEST: f64 = 1e-6;
 /// The largest side of a cell.
 const LARGEST_SIDE: f64 = 100_000.0;
 /// Metres that a picture covers where the file does not say: Landscaper's.
@@ -116,18 +120,44 @@ impl Reader<'_> {
     pub(super) fn mark(&mut self) -> Result<(), Diagnostic> {
         let place = self.place();
         let (name, _) = self.words.text("the landmark's name")?;
-        let at = match self.open.as_ref().map(|open| open.cell.index) {
+        let at = self.place_on_map("the landmark")?;
+        self.head.marks.push(Mark { name, at, place });
+        Ok(())
+    }
+
+    /// A position: in the cell in hand; before all cells, from the south-west corner of cell 0 0. World metres.
+    fn place_on_map(&mut self, what: &str) -> Result<[f64; 2], Diagnostic> {
+        match self.open.as_ref().map(|open| open.cell.index) {
             Some(index) => {
                 let corner = self.head.corner(index);
-                let [x, y] = self.position("the landmark")?;
-                [corner.x + x, corner.y + y]
+                let [x, y] = self.position(what)?;
+                Ok([corner.x + x, corner.y + y])
             }
             None => {
                 let mut metres = || self.words.within("a place on the map", -FARTHEST..=FARTHEST);
-                [metres()?, metres()?]
+                Ok([metres()?, metres()?])
             }
-        };
-        self.head.marks.push(Mark { name, at, place });
+        }
+    }
+
+    /// `object FILE X Y [TURN [SCALE]]`: a scene that stands on the land, its place as for `mark`.
+    pub(super) fn object(&mut self) -> Result<(), Diagnostic> {
+        let place = self.place();
+        let (file, span) = self.words.text("the file of a scene")?;
+        let ending = Path::new(&file).extension().and_then(|ending| ending.to_str()).unwrap_or_default().to_lowercase();
+        if ["fcell", "fpack", "fmap"].contains(&ending.as_str()) {
+            let error = Diagnostic::error(format!("`{file}` is no scene that can stand on an area"));
+            return Err(error.at(span, "this file").help("scenes are `.nff`, `.sipp` and `.ftri`"));
+        }
+        let at = self.place_on_map("the object")?;
+        let (mut turn, mut scale) = (0.0, 1.0);
+        if !self.words.peek().begins_statement() {
+            turn = self.words.within("the turn in degrees", -FARTHEST..=FARTHEST)?;
+        }
+        if !self.words.peek().begins_statement() {
+            scale = self.words.within("the scale", SMALLEST..=1.0 / SMALLEST)?;
+        }
+        self.head.objects.push(Standing { file, at, turn, scale, place });
         Ok(())
     }
 

@@ -178,6 +178,7 @@ impl<'a> Reader<'a> {
             b"tree" => self.tree().map(|()| &[] as &[_]),
             b"line" => self.line().map(|()| &["w"] as &[_]),
             b"mark" => self.mark().map(|()| &[] as &[_]),
+            b"object" => self.object().map(|()| &[] as &[_]),
             _ => {
                 self.close_cell();
                 self.ended = Some(self.words.keyword);

@@ -25,6 +25,7 @@ pub(super) static STATEMENTS: Vocabulary = Vocabulary(&[
     ("tree", "tree CODE X Y HEIGHT CROWN [TURN]"),
     ("line", "line KIND w METRES N X Y ..."),
     ("mark", "mark \"NAME\" X Y"),
+    ("object", "object FILE X Y [TURN [SCALE]]"),
     ("end", "end"),
 ]);
 
