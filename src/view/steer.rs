@@ -101,6 +101,9 @@ fn sample(line: &str, number: usize) -> Result<Option<Sample>, SteerError> {
 
 /// Poses of a walk that begins at `start`, east and north, with `rate` frames a second; `eye` says where the eye is over a place. Like a recorded
 /// path it shows the start first; a sample says where the next frame is, and where both look.
+///
+/// # Errors
+/// The first of `eye`.
 pub fn steer<E>(
     samples: &[Sample],
     start: [f64; 2],
