@@ -21,6 +21,7 @@ mod nff;
 mod sipp;
 mod statements;
 mod tokens;
+mod trees;
 mod vector;
 mod wording;
 
@@ -29,6 +30,7 @@ pub use fmap::load_map;
 pub use grids::{GridOptions, load_grid, read_grid};
 pub use input::{INPUT_LIMIT, LINE_LIMIT};
 pub use load::{Format, load, load_cells, load_models};
+pub use trees::{ListedTree, TreeList, load_trees};
 pub use vector::{Vectors, load_vectors};
 
 use crate::diagnostic::Diagnostics;

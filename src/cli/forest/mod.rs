@@ -6,6 +6,7 @@
 
 mod compose;
 mod figures;
+mod foreign;
 pub(super) mod frame;
 mod inspect;
 mod labels;
@@ -47,6 +48,9 @@ impl ForestCommand {
             return Err(CliError::failed("name a forest, as in `farop forest area.fpack`"));
         };
         if self.output.is_none() && !self.walk.is_wanted() {
+            if foreign::report(&path)? {
+                return Ok(());
+            }
             return inspect::report(&path, &stock::open(&path)?, self.year);
         }
         // Before minutes of work: is there such a rasterizer?

@@ -7,6 +7,7 @@
 //! | `.hgt` | SRTM: big-endian whole metres, 1201 or 3601 a side | by its name, `N42E001` |
 //! | `.dt0 .dt1 .dt2` | DTED: records with checksums | in its header |
 //! | `.asc` | ESRI ASCII grid | in its header |
+//! | `.tif .tiff` | GeoTIFF: strips or tiles of any kind of number; with the feature `gis` | in its keys |
 //! | `.png` | gray levels as heights, or heights in red, green and blue | not at all |
 //!
 //! Why own readers: together they are shorter than the glue of a library, and a truncated tile is told with what was expected.
@@ -16,6 +17,8 @@
 
 mod ascii;
 mod dted;
+#[cfg(feature = "gis")]
+mod geotiff;
 mod hgt;
 mod png;
 
@@ -69,9 +72,16 @@ pub fn read_grid(path: &Path, bytes: &[u8], options: &GridOptions) -> Result<Gri
         "dt0" | "dt1" | "dt2" => dted::read(&file),
         "asc" => ascii::read(&file, options),
         "png" => png::read(&file, options),
+        #[cfg(feature = "gis")]
+        "tif" | "tiff" => geotiff::read(&file),
+        #[cfg(not(feature = "gis"))]
+        "tif" | "tiff" => Err(file.refused(
+            format!("`{}` is a GeoTIFF, and this farop was built without GIS", file.name),
+            "build it with `cargo build --release --features gis`",
+        )),
         _ => Err(file.refused(
             format!("`{}` has no ending that says what grid it is", file.name),
-            "known are `.hgt`, `.dt0`, `.dt1`, `.dt2`, `.asc`, `.png`, each also with `.gz` behind",
+            "known are `.hgt`, `.dt0`, `.dt1`, `.dt2`, `.asc`, `.png`, `.tif`, each also with `.gz` behind",
         )),
     }
 }

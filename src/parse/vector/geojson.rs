@@ -35,12 +35,14 @@ pub(super) fn read(source: &Source) -> Result<Vectors, Diagnostics> {
     };
     let (starts, mut lines) = (starts(&source.text), source.lines());
     let mut layer = Layer { files: vec![source.name.clone()], crs: Some(crs), ..Layer::default() };
-    let (mut errors, mut empty) = (Vec::new(), 0);
+    let (mut errors, mut empty, mut kinds) = (Vec::new(), 0, BTreeMap::new());
     for (number, feature) in features.iter().enumerate() {
         let start = starts.get(number).copied().unwrap_or_default();
         let line = lines.at(start as u32);
         match shape(feature, crs) {
             Ok(Some(geometry)) => {
+                let kind = feature.pointer("/geometry/type").and_then(Value::as_str).unwrap_or_default();
+                *kinds.entry(kind.to_string()).or_default() += 1;
                 let (attributes, place) = (attributes(feature), Place { file: 0, line });
                 layer.features.push(Feature { attributes, geometry, place });
             }
@@ -56,7 +58,7 @@ pub(super) fn read(source: &Source) -> Result<Vectors, Diagnostics> {
         return Err(Diagnostics::new(source, errors));
     }
     let notice = (empty > 0).then(|| Diagnostic::notice(format!("{empty} features without a shape are left out")));
-    Ok(Vectors { layer, notices: Diagnostics::new(source, notice.into_iter().collect()) })
+    Ok(Vectors { layer, kinds, notices: Diagnostics::new(source, notice.into_iter().collect()) })
 }
 
 fn no_json(source: &Source, error: &serde_json::Error) -> Diagnostics {
