@@ -7,6 +7,11 @@ use farop::forest::relief::criterion::{ByError, Criterion};
 use farop::forest::relief::finer::finer;
 use farop::forest::relief::{Hierarchy, ReliefMesh, mesh};
 
+#[path = "support/command.rs"]
+mod command;
+
+use command::Desk;
+
 type Place = [f64; 2];
 
 /// Metres from sample to sample, not the same both ways.
@@ -124,10 +129,70 @@ fn no_wrong_place_is_farther_from_a_border_than_asked() {
             assert!(promise <= tolerance, "{columns} x {rows}, {tolerance} m: {promise} m promised");
             assert!(farthest <= promise, "{columns} x {rows}, {tolerance} m: {farthest} m, {promise} m promised");
             // Neither is the bound so loose that it says nothing.
-            assert!(tolerance > 1e6 || promise < 6.0 * farthest + borders.finest(), "{tolerance}: {farthest} {promise}");
+            assert!(
+                tolerance > 1e6 || promise < 6.0 * farthest + borders.finest(),
+                "{tolerance}: {farthest} {promise}"
+            );
             assert!(mesh.triangles() >= last, "{tolerance} m");
             (last, without) = (mesh.triangles(), if tolerance > 1e6 { farthest } else { without });
         }
         assert!(without > 60.0, "the heights alone keep the borders: {without} m");
     }
+}
+
+/// A cell of 240 m with a meadow whose border is slanted, and the same ground as a grid of 30 m.
+fn desk() -> Desk {
+    let desk = Desk::new();
+    let rows: String = (0..9).map(|y| (0..9).map(|x| format!("{} ", 100 + x * y)).collect::<String>() + "\n").collect();
+    let head = "ncols 9\nnrows 9\nxllcorner 0\nyllcorner 0\ncellsize 30\nNODATA_value -9999\n";
+    desk.write("land.asc", format!("{head}{rows}"));
+    desk.write(
+        "land.fcell",
+        "fcell 1\ncrs EPSG:32629 origin 0 0\ncover 1 paint:grass tile 10\ncover 2 paint:rock tile 10\n\
+         cell 0 0 size 240 seed 1\nground 1\ndem 2 2 z0 100 dz 1  0 0 0 0\n\
+         poly 1 cover 2 outer 4 20 -0 220 10 170 230 5 110\nend\n",
+    );
+    desk
+}
+
+#[test]
+fn the_command_keeps_borders_and_says_so() {
+    let desk = desk();
+    let mut triangles = Vec::new();
+    for tolerance in [1000.0, 60.0, 30.0, 10.0, 2.0] {
+        let asked = format!(
+            "terrain land.asc --units metres --error 30 --covers land.fcell --cover-tolerance {tolerance} --json"
+        );
+        let told = desk.done(&asked);
+        let figures: serde_json::Value = serde_json::from_slice(&told.stdout).expect("it is JSON");
+        let covers = &figures["covers"];
+        assert!(covers["promise"].as_f64().is_some_and(|promise| promise <= tolerance), "{covers}");
+        assert!(covers["farthest"].as_f64() <= covers["promise"].as_f64(), "{covers}");
+        triangles.push(figures["triangles"].as_u64().expect("a number"));
+    }
+    assert!(triangles.is_sorted() && triangles[0] * 4 < triangles[4], "{triangles:?}");
+    desk.done("terrain land.asc --units metres --covers land.fcell -o land.nff");
+    let walk = "terrain land.asc --units metres --covers land.fcell --criterion view --walk 100,100,150 --steps 3";
+    assert!(String::from_utf8_lossy(&desk.done(walk).stdout).contains("no wrong cover farther than 30.00 m"));
+}
+
+#[test]
+fn what_cannot_be_kept_is_refused() {
+    let desk = desk();
+    let says = |arguments: &str, words: &[&str]| {
+        let outcome = desk.run(&format!("terrain land.asc --units metres {arguments}"));
+        assert_eq!(outcome.code, 2, "{arguments}: {}", outcome.stderr);
+        words.iter().for_each(|word| assert!(outcome.stderr.contains(word), "{arguments}: {}", outcome.stderr));
+    };
+    says("--covers land.fcell --cover-tolerance 0", &["write metres above 0"]);
+    says("--covers land.fcell --cover-tolerance 0.001", &["--cover-tolerance 0.001", "write 0.06 or more"]);
+    says("--covers land.fcell --cover-tolerance -3", &["--cover-tolerance"]);
+    says("--covers land.fcell --mode fictitious", &["leave out --mode fictitious"]);
+    says("--covers land.fcell --triangles 50", &["--triangles"]);
+    says("--cover-tolerance 5", &["--covers"]);
+    says("--covers gone.fcell", &["gone.fcell"]);
+    says("--covers land.asc", &["is no area of forest"]);
+    let far = String::from_utf8(desk.read("land.fcell")).expect("text").replace("cell 0 0", "cell 9 9");
+    desk.write("far.fcell", far);
+    says("--covers far.fcell", &["covers no sample", "240 m east"]);
 }

@@ -251,7 +251,10 @@ mod tests {
             };
             let others = (0..covers.len()).filter(|&other| covers[other] != covers[at]);
             let nearest = others.map(metres).fold(f64::INFINITY, f64::min);
-            assert!(f64::from(distance) >= nearest && f64::from(distance) <= 1.1 * nearest + 0.01, "{distance} {nearest}");
+            assert!(
+                f64::from(distance) >= nearest && f64::from(distance) <= 1.1 * nearest + 0.01,
+                "{distance} {nearest}"
+            );
         }
     }
 
