@@ -101,6 +101,7 @@ impl ForestCommand {
             let mut painter = Painter::new(found.rasterizer(), &self.picture, size);
             let mut composer = Composer::new(&Wanted { cells, folder, options: &self.forest, year, silhouettes })?;
             play::frame(&camera, &mut composer, &mut painter)?;
+            tell_borders(&composer);
             let picture = painter.picture()?;
             self.labeled(&picture, &camera, &painter, (cells, &mut observer))
         };
@@ -160,6 +161,13 @@ impl ForestCommand {
             error::print(&figures.text(&head, crate::report::peak_bytes()))?;
         }
         Ok(())
+    }
+}
+
+/// Says how exactly the last frame kept borders between covers, if it did.
+fn tell_borders(composer: &Composer<'_>) {
+    if let Some(error) = composer.border_error() {
+        notice(&format!("no wrong cover on the ground nearby is farther than {error:.2} m from a border"));
     }
 }
 

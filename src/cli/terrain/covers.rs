@@ -117,7 +117,9 @@ fn parts(grid: &Grid, side: f64, tolerance: f64) -> Result<u32, CliError> {
         parts *= 2.0;
     }
     if parts == 1.0 || can_be(parts) {
-        return Ok(parts as u32);
+        // Once more if that is possible: bounds are closer to the truth then, and fewer triangles do.
+        let is_close = side / parts <= tolerance / 2.0 || !can_be(2.0 * parts);
+        return Ok(if is_close { parts } else { 2.0 * parts } as u32);
     }
     let least = side / (parts / 2.0);
     Err(CliError::failed(format!(
