@@ -51,6 +51,11 @@ impl<'a> Composer<'a> {
         self.composer.map_figures().as_ref().map(maps::told)
     }
 
+    /// Metres within which every wrong cover of the last frame is from a border, where borders are kept.
+    pub fn border_error(&self) -> Option<f64> {
+        self.composer.border_error()
+    }
+
     /// The scene that `camera` sees.
     pub fn compose(&mut self, camera: &Camera) -> Result<(&Scene, FrameCounts), CliError> {
         let (scene, counts) = self.composer.compose(camera, camera.resolution).map_err(CliError::failed)?;
@@ -81,6 +86,6 @@ fn choices(options: &Forest, year: Option<i32>) -> frame::Choices {
         TreesName::Billboards => Trees::Billboards,
         TreesName::None => Trees::None,
     };
-    let Forest { horizon, tolerance, .. } = *options;
-    frame::Choices { year, horizon, tolerance, trees, ..frame::Choices::default() }
+    let Forest { horizon, tolerance, cover_tolerance, .. } = *options;
+    frame::Choices { year, horizon, tolerance, trees, cover_tolerance, ..frame::Choices::default() }
 }

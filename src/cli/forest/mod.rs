@@ -109,6 +109,7 @@ impl ForestCommand {
             let mut composer = Composer::new(&Wanted { cells, folder, options: &self.forest, year, silhouettes })?;
             play::frame(&camera, &mut composer, &mut painter)?;
             composer.map_told().iter().for_each(|told| notice(told));
+            tell_borders(&composer);
             let picture = painter.picture()?;
             self.labeled(&picture, &camera, &painter, (cells, &mut observer))
         };
@@ -171,6 +172,13 @@ impl ForestCommand {
             error::print(&figures.text(&head, crate::report::peak_bytes()))?;
         }
         Ok(())
+    }
+}
+
+/// Says how exactly the last frame kept borders between covers, if it did.
+fn tell_borders(composer: &Composer<'_>) {
+    if let Some(error) = composer.border_error() {
+        notice(&format!("no wrong cover on the ground nearby is farther than {error:.2} m from a border"));
     }
 }
 

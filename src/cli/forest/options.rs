@@ -142,6 +142,9 @@ pub(in crate::cli) struct Forest {
     /// auto (by size on the picture), crossed, billboards, silhouettes or none
     #[arg(long, value_name = "HOW", default_value = "auto")]
     pub trees: TreesName,
+    /// Nearby, every triangle of the ground wears one cover, and no wrong one is farther than M metres from a border
+    #[arg(long, value_name = "M", value_parser = not_negative, allow_hyphen_values = true)]
+    pub cover_tolerance: Option<f64>,
     /// Error of the relief, in pixels
     #[arg(long, value_name = "PX", default_value_t = 1.0, value_parser = not_negative)]
     pub tolerance: f64,

@@ -1,5 +1,6 @@
 //! The command: what is asked for, reading and merging, and where the relief goes.
 
+use super::covers::{CoverOptions, Covered};
 use super::progressive::{receive, send};
 use super::relief::Made;
 use super::report;
@@ -8,7 +9,7 @@ use crate::cli::options::{finite, not_negative, point, size};
 use crate::cli::render::save_picture;
 use crate::cli::scenes::{as_rasterizer, check_drawn, find_rasterizer};
 use crate::forest::elevation::{Filled, Grid, Merged, Unit, fill_voids, merge};
-use crate::forest::relief::scene::{Colors, to_scene};
+use crate::forest::relief::scene::{Colors, to_scene, to_scene_by};
 use crate::image::encode_for;
 use crate::image::save::{SaveError, WholeFile};
 use crate::math::Vec3;
@@ -32,7 +33,7 @@ pub(in crate::cli) struct TerrainCommand {
     files: Vec<PathBuf>,
     /// Scene (.nff, .sipp) or picture (.png, .ppm) to write; without it, the figures only
     #[arg(short, long, value_name = "FILE")]
-    output: Option<PathBuf>,
+    pub(super) output: Option<PathBuf>,
     /// Fill voids of up to N samples; larger ones stay holes
     #[arg(long, value_name = "N", default_value_t = 2500)]
     fill: usize,
@@ -42,6 +43,8 @@ pub(in crate::cli) struct TerrainCommand {
     pub(super) view: View,
     #[command(flatten)]
     reading: Reading,
+    #[command(flatten)]
+    pub(super) covers: CoverOptions,
     /// Write a stream of halvings to -o FILE.frel: any beginning of it is a relief
     #[arg(long, requires = "output")]
     progressive: bool,
@@ -202,7 +205,12 @@ impl TerrainCommand {
             report::text(&merged, &filled, &made, self.stats)
         };
         if let Some(path) = &self.output {
-            let mut scene = to_scene(grid, &made.mesh, &self.view.colors(grid));
+            let mut scene = match &made.covered {
+                Some((Covered { borders, colors, .. }, _)) => {
+                    to_scene_by(grid, &made.mesh, colors, |face| usize::from(borders.cover(&face.triangle)))
+                }
+                None => to_scene(grid, &made.mesh, &self.view.colors(grid)),
+            };
             scene.camera = Some(Camera { resolution: self.view.size.unwrap_or(made.camera.resolution), ..made.camera });
             if is_scene(path) {
                 write_scene(path, &scene)?;
@@ -233,8 +241,9 @@ impl TerrainCommand {
             let known = self.against.as_ref().map(|path| self.read(std::slice::from_ref(path))).transpose()?;
             return receive(stream, known.as_ref().map(|(merged, _)| &merged.grid), camera);
         }
-        let (merged, filled) = self.read(&self.files)?;
-        let made = Made::new(self, &merged.grid, &camera(&merged.grid))?;
+        let (mut merged, filled) = self.read(&self.files)?;
+        let covered = Covered::new(self, &mut merged.grid)?;
+        let made = Made::new(self, &merged.grid, &camera(&merged.grid), covered)?;
         Ok((merged, filled, made))
     }
 

@@ -68,6 +68,7 @@ pub(super) fn receive(
         quality,
         wanted,
         fictitious: None,
+        covered: None,
         walk: Vec::new(),
         camera: camera(&received.grid),
         times: [StageTime::default(); 2],

@@ -1,8 +1,10 @@
 //! From the options to a mesh: which criterion, which mode, and the walk of the observer.
 
 use super::command::{CriterionName, MeasureName, ModeName, TerrainCommand, Wanted};
+use super::covers::{BorderFigures, Covered};
 use crate::cli::error::CliError;
 use crate::forest::elevation::Grid;
+use crate::forest::relief::borders::KeepingBorders;
 use crate::forest::relief::budget::{Measure, with_triangles};
 use crate::forest::relief::criterion::{Criterion, Factors, FromEye, Observer, Spheres, ThreeFactors};
 use crate::forest::relief::fictitious::{self, Fictitious, Seams};
@@ -19,6 +21,8 @@ pub(super) struct Made {
     pub wanted: String,
     /// Selected and fictitious vertices, and edges with a vertex in their middle.
     pub fictitious: Option<(usize, usize, usize)>,
+    /// Covers on it, and how well it keeps their borders.
+    pub covered: Option<(Covered, BorderFigures)>,
     /// What every step of the walk changed, and the triangles after it.
     pub walk: Vec<(Changes, usize)>,
     /// Where the walk ended.
@@ -28,7 +32,12 @@ pub(super) struct Made {
 }
 
 impl Made {
-    pub fn new(command: &TerrainCommand, grid: &Grid, camera: &Camera) -> Result<Made, CliError> {
+    pub fn new(
+        command: &TerrainCommand,
+        grid: &Grid,
+        camera: &Camera,
+        covered: Option<Covered>,
+    ) -> Result<Made, CliError> {
         let wanted = &command.wanted;
         check(command)?;
         let timer = StageTimer::start();
@@ -40,18 +49,25 @@ impl Made {
             quality: Quality::default(),
             wanted: String::new(),
             fictitious: None,
+            covered: None,
             walk: Vec::new(),
             camera: *camera,
             times: [errors, StageTime::default()],
         };
         match (wanted.triangles, wanted.criterion) {
             (Some(triangles), _) => made.budget(&hierarchy, triangles, wanted.measure),
-            (None, CriterionName::Error) => made.by_error(&hierarchy, wanted),
-            (None, CriterionName::View) => made.by_view(&hierarchy, wanted, command.view.tolerance),
-            (None, CriterionName::Paper) => made.by_paper(&hierarchy, wanted),
+            (None, CriterionName::Error) => made.by_error(&hierarchy, wanted, covered.as_ref()),
+            (None, CriterionName::View) => {
+                made.by_view(&hierarchy, wanted, command.view.tolerance, covered.as_ref());
+            }
+            (None, CriterionName::Paper) => made.by_paper(&hierarchy, wanted, covered.as_ref()),
         }
         made.times[1] = timer.stop();
         made.quality = quality(grid, &made.mesh);
+        made.covered = covered.map(|covered| {
+            let figures = covered.figures(grid, &made.mesh);
+            (covered, figures)
+        });
         Ok(made)
     }
 
@@ -64,27 +80,29 @@ impl Made {
         self.mesh = with_triangles(hierarchy, triangles as usize, measure);
     }
 
-    fn by_error(&mut self, hierarchy: &Hierarchy<'_>, wanted: &Wanted) {
+    fn by_error(&mut self, hierarchy: &Hierarchy<'_>, wanted: &Wanted, covered: Option<&Covered>) {
         let (low, high) = hierarchy.grid.range().unwrap_or_default();
         let error = wanted.error.unwrap_or_else(|| f64::from(high - low) / 100.0);
         self.wanted = format!("at most {error} m off at every sample");
         if wanted.mode == ModeName::Conforming {
-            self.mesh = mesh::within(hierarchy, error);
+            let crosses =
+                |middle| covered.is_some_and(|covered| f64::from(covered.borders.bound(middle)) > covered.tolerance);
+            self.mesh = mesh::mesh(hierarchy, |middle| f64::from(hierarchy.bound(middle)) > error || crosses(middle));
         } else {
             self.take(fictitious::within(hierarchy, error, seams(wanted)));
         }
     }
 
-    fn by_view(&mut self, hierarchy: &Hierarchy<'_>, wanted: &Wanted, tolerance: f64) {
+    fn by_view(&mut self, hierarchy: &Hierarchy<'_>, wanted: &Wanted, tolerance: f64, covered: Option<&Covered>) {
         self.wanted = format!("at most {tolerance} px off as seen from the eye");
         let spheres = Spheres::new(hierarchy);
         self.follow(hierarchy, wanted, |camera| {
             let observer = Observer::new(camera, camera.resolution);
-            FromEye { hierarchy, spheres: &spheres, observer, tolerance }
+            keeping(FromEye { hierarchy, spheres: &spheres, observer, tolerance }, covered)
         });
     }
 
-    fn by_paper(&mut self, hierarchy: &Hierarchy<'_>, wanted: &Wanted) {
+    fn by_paper(&mut self, hierarchy: &Hierarchy<'_>, wanted: &Wanted, covered: Option<&Covered>) {
         let (size, distance, curvature) = (wanted.size_factor, wanted.distance_factor, wanted.curvature_factor);
         let factors = Factors { size, distance, curvature };
         self.wanted = format!("the paper's factors: size {size}, distance {distance}, curvature {curvature}");
@@ -93,7 +111,7 @@ impl Made {
         self.follow(hierarchy, wanted, |camera| {
             let mut criterion = base.clone();
             criterion.move_to(camera.from);
-            criterion
+            keeping(criterion, covered)
         });
     }
 
@@ -124,6 +142,12 @@ impl Made {
         self.fictitious = Some((found.selected, found.fictitious, found.junctions));
         self.mesh = found.mesh;
     }
+}
+
+/// A criterion that halves what crosses borders, too, wherever the observer is.
+fn keeping<C>(criterion: C, covered: Option<&Covered>) -> KeepingBorders<'_, C> {
+    let borders = covered.map(|covered| &covered.borders);
+    KeepingBorders { criterion, borders, tolerance: covered.map_or(1.0, |covered| covered.tolerance) }
 }
 
 fn seams(wanted: &Wanted) -> Seams {

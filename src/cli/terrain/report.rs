@@ -1,5 +1,6 @@
 //! What `farop terrain` says: the grid, the relief and its error over all samples, as text or JSON.
 
+use super::covers::BorderFigures;
 use super::relief::Made;
 use crate::cli::error::CliError;
 use crate::forest::elevation::{Filled, Grid, Merged, Unit, utm, zone_of};
@@ -12,7 +13,7 @@ pub(super) fn text(merged: &Merged, filled: &Filled, made: &Made, with_times: bo
     let [width, height] = grid.extent();
     let [dx, dy] = grid.spacing();
     let mut text =
-        format!("grid       {}: {} x {} samples, {}\n", grid.name, grid.columns(), grid.rows(), borders(grid));
+        format!("grid       {}: {} x {} samples, {}\n", grid.name, grid.columns(), grid.rows(), extent(grid));
     let kilometres = |metres: f64| metres / 1000.0;
     let _ = writeln!(
         text,
@@ -69,6 +70,9 @@ fn relief(made: &Made) -> String {
     if found.uncovered > 0 {
         let _ = writeln!(text, "holes      {} samples beside voids lie under no triangle", found.uncovered);
     }
+    if let Some((_, figures)) = &made.covered {
+        text += &borders(figures);
+    }
     let strip = strip::strip(&made.mesh).len();
     let _ =
         writeln!(text, "strip      {strip} vertices, {:.2} a triangle", strip as f64 / found.triangles.max(1) as f64);
@@ -82,7 +86,19 @@ fn relief(made: &Made) -> String {
     text
 }
 
-fn borders(grid: &Grid) -> String {
+/// The lines about covers.
+fn borders(figures: &BorderFigures) -> String {
+    let BorderFigures { tolerance, promise, wrong, samples, farthest, parts } = *figures;
+    let mut text = format!(
+        "borders    {tolerance:.2} m asked: no wrong cover farther than {promise:.2} m from a border; {wrong} of {samples} samples wrong, the farthest {farthest:.2} m\n"
+    );
+    if parts > 1 {
+        let _ = writeln!(text, "finer      every square of the grid is {parts} x {parts}, on the same surface");
+    }
+    text
+}
+
+fn extent(grid: &Grid) -> String {
     let [west, south, east, north] = grid.borders();
     match grid.frame.unit {
         Unit::Degrees => format!("{south:.6} to {north:.6} N, {west:.6} to {east:.6} E"),
@@ -120,6 +136,8 @@ struct Figures<'a> {
     quality: crate::forest::relief::Quality,
     strip: usize,
     fictitious: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    covers: Option<BorderFigures>,
     walk: Vec<crate::forest::relief::frontier::Changes>,
 }
 
@@ -141,6 +159,7 @@ pub(super) fn json(merged: &Merged, filled: &Filled, made: &Made) -> Result<Stri
         quality: made.quality,
         strip: strip::strip(&made.mesh).len(),
         fictitious: made.fictitious.map(|(_, fictitious, _)| fictitious),
+        covers: made.covered.as_ref().map(|covered| covered.1),
         walk: made.walk.iter().map(|step| step.0).collect(),
     };
     let text = serde_json::to_string_pretty(&figures).map_err(CliError::failed)?;

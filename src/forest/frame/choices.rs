@@ -48,6 +48,8 @@ pub struct Choices {
     pub trees: Trees,
     /// What wears the ground.
     pub ground: GroundLook,
+    /// `Some`: nearby, every triangle of the ground wears one cover, and no wrong one is farther than so many metres from a border.
+    pub cover_tolerance: Option<f64>,
     /// Trees behind land are left out; it changes no picture.
     pub hiding: bool,
     /// Alpha of a tree's picture above which something is there.
@@ -64,6 +66,7 @@ impl Default for Choices {
             tolerance: 1.0,
             trees: Trees::default(),
             ground: GroundLook::default(),
+            cover_tolerance: None,
             hiding: true,
             threshold: 0.5,
         }
@@ -139,6 +142,8 @@ impl Choices {
         };
         of("the horizon", self.horizon, "0 to 100,000 metres", (0.0..=FARTHEST).contains(&self.horizon))?;
         of("the tolerance", self.tolerance, "above 0 pixels", self.tolerance > 0.0 && self.tolerance.is_finite())?;
+        let covers = self.cover_tolerance.unwrap_or(1.0);
+        of("the cover tolerance", covers, "above 0 metres", covers > 0.0 && covers.is_finite())?;
         of("the threshold", self.threshold, "0 to 1", (0.0..=1.0).contains(&self.threshold))
     }
 }

@@ -3,7 +3,7 @@
 //! Faces, stocked cells -LAND-> surfaces of the scene
 //!
 //! Nearby a cell wears the pictures of its covers, chosen sample by sample ([`Mosaic`](crate::image::textures::Mosaic)): borders of stands and
-//! roads are where they are, whatever triangles there are. Far land has one color a corner: that of its ground, or of the crowns over it. Normals
+//! roads are where they are, whatever triangles there are. Where borders are kept, a triangle wears the one picture of its cover instead, without roads. Far land has one color a corner: that of its ground, or of the crowns over it. Normals
 //! are those of the samples, so that light does not change when triangles do.
 
 use super::choices::{FrameCounts, GroundLook};
@@ -12,6 +12,7 @@ use super::sink::{Sink, add_corner};
 use crate::forest::area::{CellIndex, Ground, Head};
 use crate::forest::terrain::relief::{Corner, Face, Faces, distance_to_cell};
 use crate::forest::window::{Stock, Stocked};
+use crate::image::textures::{FirstRow, Mosaic};
 use crate::math::{Vec3, newell_normal};
 use crate::scene::{Mesh, NormalSource, Texture, TextureId};
 
@@ -28,7 +29,7 @@ pub(super) struct Lander<'a> {
 #[derive(Default)]
 pub(super) struct Lists {
     /// Faces by cell: those without one last.
-    order: Vec<(Option<CellIndex>, u32)>,
+    order: Vec<(Option<CellIndex>, Option<u8>, u32)>,
     /// Index + 1 of each corner in the surface in hand, and those that are not 0.
     local: Vec<u32>,
     used: Vec<u32>,
@@ -50,13 +51,19 @@ impl Lander<'_> {
         order.clear();
         let is_worn = |cell: &CellIndex| self.look == GroundLook::Pictures && self.stock.at(*cell).is_some();
         let numbered = faces.faces.iter().enumerate();
-        order.extend(numbered.map(|(at, face)| (face.cell.filter(is_worn), at as u32)));
+        order.extend(numbered.map(|(at, face)| {
+            let cell = face.cell.filter(is_worn);
+            (cell, cell.and(face.cover), at as u32)
+        }));
         order.sort_unstable();
-        for group in order.chunk_by(|a, b| a.0 == b.0) {
+        for group in order.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
             let cell = group[0].0.and_then(|index| self.stock.at(index));
-            let texture = cell.map(|cell| worn(cell, textures));
+            let texture = cell.map(|cell| match group[0].1 {
+                Some(cover) => only(cell, cover, textures),
+                None => worn(cell, textures),
+            });
             let mesh = sink.surface(ground_material(texture), false);
-            for &(_, at) in group {
+            for &(_, _, at) in group {
                 self.face(faces, &faces.faces[at as usize], cell, mesh, lists);
             }
             lists.used.drain(..).for_each(|at| lists.local[at as usize] = 0);
@@ -116,4 +123,16 @@ impl Lander<'_> {
 fn worn(cell: &Stocked, textures: &mut Vec<Texture>) -> TextureId {
     textures.push(cell.ground.clone());
     TextureId((textures.len() - 1) as u32)
+}
+
+/// Adds the picture of one cover of a cell's ground, repeated over all of the cell.
+fn only(cell: &Stocked, cover: u8, textures: &mut Vec<Texture>) -> TextureId {
+    let tile = cell.ground.mosaic.as_ref().and_then(|mosaic| mosaic.tiles().get(usize::from(cover)).cloned());
+    match tile.and_then(|tile| Mosaic::new((1, 1), vec![0], FirstRow::AtV0, vec![tile])) {
+        Some(mosaic) => {
+            textures.push(Texture::mosaic("ground", mosaic));
+            TextureId((textures.len() - 1) as u32)
+        }
+        None => worn(cell, textures),
+    }
 }

@@ -75,7 +75,7 @@ impl<'a> Composer<'a> {
     /// A choice is no number to work with; the area is empty, too large or cannot be read.
     pub fn new(cells: &'a Cells, pictures: Pictures, choices: Choices) -> Result<Composer<'a>, FrameError> {
         choices.check()?;
-        let terrain = Terrain::new(cells, choices.year, &pictures)?;
+        let terrain = Terrain::with_covers(cells, choices.year, &pictures, choices.cover_tolerance)?;
         let head = cells.head();
         let stock = Stock::new(head, choices.year, (choices.horizon, choices.buffer), choices.prefetch);
         let dress = Dress::new(head, &pictures, choices.threshold);
@@ -148,15 +148,21 @@ impl<'a> Composer<'a> {
         &self.choices
     }
 
-    /// Chooses the trees, the tolerance and what else needs no other cells anew: year, horizon and buffer stay.
+    /// Chooses the trees, the tolerance and what else needs no other cells anew: year, horizon, buffer and borders of covers stay.
     ///
     /// # Errors
     /// A choice is no number to work with.
     pub fn choose(&mut self, choices: Choices) -> Result<(), FrameError> {
         choices.check()?;
-        let Choices { year, horizon, buffer, prefetch, threshold, .. } = self.choices;
-        self.choices = Choices { year, horizon, buffer, prefetch, threshold, ..choices };
+        let Choices { year, horizon, buffer, prefetch, threshold, cover_tolerance, .. } = self.choices;
+        self.choices = Choices { year, horizon, buffer, prefetch, threshold, cover_tolerance, ..choices };
         Ok(())
+    }
+
+    /// Metres within which every wrong cover of the last frame's near ground is from a border; `None` where no borders are kept.
+    #[must_use]
+    pub fn border_error(&self) -> Option<f64> {
+        self.faces.border_error
     }
 
     /// Bytes of memory: terrain, cells, pictures, and the scene of the last frame.

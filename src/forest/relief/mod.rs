@@ -10,6 +10,8 @@
 //! | [`mesh`] | which triangles there are, cut at the border |
 //! | [`fictitious`] | the paper's way around cracks: neighbors stay as they are |
 //! | [`criterion`] | what is worth halving: error, error seen from the eye, the paper's three factors |
+//! | [`borders`] | triangles that wear one cover each, and how wrong that may be |
+//! | [`finer`] | a grid with samples between samples |
 //! | [`frontier`] | the mesh that follows the observer: two queues |
 //! | [`budget`] | the best mesh of so many triangles |
 //! | [`progressive`] | a stream of halvings, of which any beginning is a relief |
@@ -20,9 +22,11 @@
 //! Space: lattice points until [`scene`], then metres. Source: M. Cifuentes, A. Corbellin, M. Rolón, G. Rodríguez, P. Lotito,
 //! A. Clausse, "Remallado de Terrenos Multirresolución".
 
+pub mod borders;
 pub mod budget;
 pub mod criterion;
 pub mod fictitious;
+pub mod finer;
 pub mod frontier;
 pub mod hierarchy;
 pub mod lattice;

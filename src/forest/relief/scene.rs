@@ -101,20 +101,34 @@ fn blended(grounds: &[Ground], height: f64) -> Rgb {
 /// The relief as a scene with a sun in the north-west and a camera that sees all of it from above, north up.
 #[must_use]
 pub fn to_scene(grid: &Grid, mesh: &ReliefMesh, colors: &Colors) -> Scene {
-    let placer = Placer::new(grid, mesh);
-    let place = Place::default();
     let range = grid.range().map_or((0.0, 0.0), |(low, high)| (f64::from(low), f64::from(high)));
     let bands = if *colors == Colors::Plain { 1 } else { BANDS };
     let mut by_band: Vec<Vec<&Face>> = vec![Vec::new(); bands];
     for face in &mesh.faces {
         by_band[band(mesh, face, range, bands)].push(face);
     }
-    let surface = |(band, faces): (usize, Vec<&Face>)| {
-        let height = range.0 + (range.1 - range.0) * (band as f64 + 0.5) / bands as f64;
-        let material = Material { color: colors.at(height, range), diffuse: 1.0, ..Material::default() };
+    let color = |band: usize| colors.at(range.0 + (range.1 - range.0) * (band as f64 + 0.5) / bands as f64, range);
+    of_groups(grid, mesh, by_band, color)
+}
+
+/// The relief with one color a face: `group` says which of `colors`; beyond the last one, gray.
+#[must_use]
+pub fn to_scene_by(grid: &Grid, mesh: &ReliefMesh, colors: &[Rgb], group: impl Fn(&Face) -> usize) -> Scene {
+    let mut groups: Vec<Vec<&Face>> = vec![Vec::new(); colors.len() + 1];
+    for face in &mesh.faces {
+        groups[group(face).min(colors.len())].push(face);
+    }
+    of_groups(grid, mesh, groups, |group| colors.get(group).copied().unwrap_or(Rgb::gray(0.8)))
+}
+
+/// A surface for every group of faces that is not empty.
+fn of_groups(grid: &Grid, mesh: &ReliefMesh, groups: Vec<Vec<&Face>>, color: impl Fn(usize) -> Rgb) -> Scene {
+    let (placer, place) = (Placer::new(grid, mesh), Place::default());
+    let surface = |(group, faces): (usize, Vec<&Face>)| {
+        let material = Material { color: color(group), diffuse: 1.0, ..Material::default() };
         Surface { material, mesh: placer.mesh(mesh, &faces), primitives: Vec::new(), two_sided: false, place }
     };
-    let filled = by_band.into_iter().enumerate().filter(|(_, faces)| !faces.is_empty());
+    let filled = groups.into_iter().enumerate().filter(|(_, faces)| !faces.is_empty());
     let surfaces: Vec<Surface> = filled.map(surface).collect();
     let object = Object {
         name: "relief".to_string(),

@@ -10,6 +10,8 @@
 //! A cell that is missing is a void: no triangle crosses its border, because diamonds that would are always halved. A cell that is a
 //! mesh is a void nearby, where the mesh itself is drawn; from afar its heights are drawn like all others.
 //!
+//! For faithful ground ([`Terrain::with_covers`]) every sample also has its cover, and there are as many as the borders between covers want.
+//!
 //! Space: samples count columns from the west and rows from the north of the rectangle around all cells; metres are the world's.
 //! Source: `forest::relief`; A. Falcão, M. Próspero dos Santos (cells).
 
@@ -21,12 +23,16 @@ pub use survey::TerrainError;
 
 use super::area::{Cell, CellIndex, Ground};
 use super::elevation::Grid;
+use super::relief::borders::Borders;
 use super::relief::lattice::{Field, Lattice};
 use crate::color::Rgb;
 use crate::math::Vec3;
 
 /// The most samples of an area: 2^21.
 pub const MOST_SAMPLES: usize = 1 << 21;
+
+/// The most samples where borders between covers are kept: 2^23, at 23 bytes each.
+pub const MOST_FINE_SAMPLES: usize = 1 << 23;
 
 /// What a cell has to draw.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -69,6 +75,8 @@ pub struct Terrain {
     /// 5 bits red, 6 green, 5 blue of each sample: the land without its trees, or their crowns.
     colors: Vec<u16>,
     filled: usize,
+    /// Borders between covers, and the metres to which nearby triangles keep them.
+    borders: Option<(Borders, f64)>,
 }
 
 impl Terrain {
@@ -87,7 +95,8 @@ impl Terrain {
     /// Bytes of memory, but for a few hundred.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        self.grid.heights().len() * (4 + 4 + 4 + 2) + std::mem::size_of_val(&self.outlines[..])
+        let covers = if self.borders.is_some() { 1 + 4 + 4 } else { 0 };
+        self.grid.heights().len() * (4 + 4 + 4 + 2 + covers) + std::mem::size_of_val(&self.outlines[..])
     }
 
     /// The lowest ground and the highest tree top of a cell, in metres; `None` where there is nothing.

@@ -3,7 +3,8 @@
 //! Terrain, eye -RELIEF-> leaves -> faces over shared corners
 //!
 //! A diamond is halved where its error would show as more than the tolerance, seen from the nearest point of its sphere; and, within
-//! the horizon of the trees, until it lies in one cell, because that is what wears one picture. What is out of view stays coarse. Nothing is kept
+//! the horizon of the trees, until it lies in one cell, because that is what wears one picture; and, where borders between covers are kept, until
+//! it crosses none by more than the tolerance. What is out of view stays coarse. Nothing is kept
 //! from frame to frame: a few thousand triangles are found from the roots faster than two queues are sorted, and the mesh depends on the eye
 //! alone.
 //!
@@ -38,6 +39,8 @@ pub struct Face {
     pub count: u32,
     /// `None`: it lies in several cells or far away.
     pub cell: Option<CellIndex>,
+    /// The ground that all of it wears, numbered as in [`cover::raster`](crate::forest::cover::raster), where borders are kept and it is near.
+    pub cover: Option<u8>,
 }
 
 /// A corner of faces.
@@ -60,6 +63,8 @@ pub struct Faces {
     pub outlines: Vec<u32>,
     /// Along the Sierpinski curve.
     pub faces: Vec<Face>,
+    /// Metres within which every wrong cover of a near face in view is from a border.
+    pub border_error: Option<f64>,
     /// Index + 1 of the corner at each sample, 0: none; and which are not 0.
     index: Vec<u32>,
     used: Vec<u32>,
@@ -78,6 +83,7 @@ impl Faces {
         self.corners.clear();
         self.outlines.clear();
         self.faces.clear();
+        self.border_error = None;
     }
 }
 
@@ -90,6 +96,24 @@ struct Score<'a> {
 }
 
 impl Score<'_> {
+    /// The sphere around a diamond that holds it and all below, from the south-west corner of the area.
+    fn sphere(&self, middle: Point) -> (Vec3, f64) {
+        (self.center(middle), f64::from(self.terrain.radii.at(middle)))
+    }
+
+    /// Whether some of a triangle may be in view.
+    fn is_seen(&self, triangle: &Triangle) -> bool {
+        // The smallest have no diamond of their own.
+        let (center, radius) = self.sphere(if triangle.can_be_halved() { triangle.middle() } else { triangle.apex });
+        self.view.observer.sees(center - self.eye + self.view.observer.eye, radius)
+    }
+
+    /// Whether a diamond, if nearby, crosses a border by too much.
+    fn crosses(&self, middle: Point) -> bool {
+        let borders = self.terrain.borders.as_ref();
+        borders.is_some_and(|(borders, tolerance)| f64::from(borders.bound(middle)) > *tolerance)
+    }
+
     fn center(&self, middle: Point) -> Vec3 {
         let terrain = self.terrain;
         let Point { x, y } = terrain.lattice.nearest(middle);
@@ -104,16 +128,19 @@ impl Criterion for Score<'_> {
         let View { observer, tolerance, near } = self.view;
         let bound = f64::from(self.terrain.bounds.at(middle));
         let is_large = 2 * Lattice::reach(middle) as usize > self.terrain.squares;
-        if bound == 0.0 && !is_large {
+        let crosses = self.crosses(middle);
+        if bound == 0.0 && !is_large && !crosses {
             return 0.0;
         }
-        let (center, radius) = (self.center(middle), f64::from(self.terrain.radii.at(middle)));
+        let (center, radius) = self.sphere(middle);
         if !observer.sees(center - self.eye + observer.eye, radius) {
             return 0.0;
         }
         let distance = ((center - self.eye).length() - radius).max(0.0);
-        // On the map, as the horizon is measured: an eye high above still looks at single cells.
-        if is_large && (center - self.eye).truncate().length() - radius < near {
+        // On the map, as the horizon is measured: an eye high above still looks at single cells. A cell that is near in one corner wears
+        // covers in all others, too.
+        let away = (center - self.eye).truncate().length() - radius;
+        if is_large && away < near || crosses && away < near + 2.0_f64.sqrt() * self.terrain.side {
             return f64::INFINITY;
         }
         if bound == 0.0 { 0.0 } else { bound * observer.focal / (distance * tolerance) }
@@ -154,7 +181,12 @@ impl Terrain {
         }
         let count = faces.outlines.len() as u32 - start;
         if count >= 3 {
-            faces.faces.push(Face { start, count, cell });
+            let kept = self.borders.as_ref().filter(|_| cell.is_some()).map(|(borders, _)| borders);
+            if let Some(borders) = kept.filter(|_| score.is_seen(triangle)) {
+                let error = borders.promise(std::iter::once(triangle));
+                faces.border_error = Some(faces.border_error.unwrap_or(0.0).max(error));
+            }
+            faces.faces.push(Face { start, count, cell, cover: kept.map(|borders| borders.cover(triangle)) });
         }
     }
 

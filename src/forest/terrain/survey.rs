@@ -7,14 +7,16 @@
 //!
 //! Source: ours. Cost: about 60 us a cell, and half a microsecond a sample for the bounds.
 
-use super::{Kind, MOST_SAMPLES, Outline, Terrain};
+use super::{Kind, MOST_FINE_SAMPLES, MOST_SAMPLES, Outline, Terrain};
 use crate::color::Rgb;
 use crate::forest::area::{Cell, CellIndex, Ground, Head, Owner};
 use crate::forest::cells::Cells;
+use crate::forest::cover::{Samples, at_samples};
 use crate::forest::elevation::{Frame, Grid, Unit};
 use crate::forest::land::Land;
 use crate::forest::pack::PackError;
 use crate::forest::pictures::Pictures;
+use crate::forest::relief::borders::Borders;
 use crate::forest::relief::criterion::Spheres;
 use crate::forest::relief::lattice::{Field, Point};
 use crate::forest::relief::{Hierarchy, Lattice};
@@ -39,6 +41,16 @@ pub enum TerrainError {
         /// Cells up.
         rows: u64,
     },
+    /// Borders between covers cannot be kept that exactly.
+    #[error(
+        "a cover tolerance of {tolerance} m wants more than {MOST_FINE_SAMPLES} samples; {least:.2} m can be kept, or a part of the area taken"
+    )]
+    TooFine {
+        /// Metres asked for.
+        tolerance: f64,
+        /// Metres that can be kept.
+        least: f64,
+    },
 }
 
 impl Terrain {
@@ -47,6 +59,20 @@ impl Terrain {
     /// # Errors
     /// [`TerrainError`].
     pub fn new(cells: &Cells, year: Option<i32>, pictures: &Pictures) -> Result<Terrain, TerrainError> {
+        Terrain::with_covers(cells, year, pictures, None)
+    }
+
+    /// As [`Terrain::new`]; with a tolerance in metres, above 0, nearby triangles wear one cover each, and no wrong cover is farther than that from
+    /// a border between covers.
+    ///
+    /// # Errors
+    /// [`TerrainError`].
+    pub fn with_covers(
+        cells: &Cells,
+        year: Option<i32>,
+        pictures: &Pictures,
+        tolerance: Option<f64>,
+    ) -> Result<Terrain, TerrainError> {
         let indices = cells.indices();
         let [corner, far] = cells.bounds().ok_or(TerrainError::Empty)?;
         let [columns, rows] = [0, 1].map(|axis| (i64::from(far[axis]) - i64::from(corner[axis]) + 1) as u64);
@@ -58,14 +84,35 @@ impl Terrain {
         while samples(squares as u64) > MOST_SAMPLES as u64 {
             squares /= 2;
         }
+        if let Some(tolerance) = tolerance {
+            squares = finer(squares, cells.head().side, tolerance, samples)?;
+        }
         let mut survey = Survey::new(cells.head(), corner, [columns as usize, rows as usize], squares);
         for index in indices {
             if let Some(cell) = cells.load(index)? {
                 survey.add(&cell, year, pictures);
             }
         }
-        survey.finish().ok_or(TerrainError::Empty)
+        let mut terrain = survey.finish().ok_or(TerrainError::Empty)?;
+        if let Some(tolerance) = tolerance {
+            let [width, height] = [terrain.grid.columns(), terrain.grid.rows()];
+            let samples = Samples { corner: terrain.origin(), spacing: [terrain.step(); 2], size: [width, height] };
+            let numbers = at_samples(cells, year, &samples)?;
+            terrain.borders = Some((Borders::new(&terrain.grid, |x, y| numbers[y * width + x]), tolerance));
+        }
+        Ok(terrain)
     }
+}
+
+/// Squares along the side of a cell that keep a tolerance: half of it is a square's side, or all of it where that are too many samples.
+fn finer(least: usize, side: f64, tolerance: f64, samples: impl Fn(u64) -> u64) -> Result<usize, TerrainError> {
+    let can_be = |squares: usize| samples(squares as u64) <= MOST_FINE_SAMPLES as u64;
+    let mut squares = least;
+    while side / squares as f64 > tolerance / 2.0 && can_be(2 * squares) {
+        squares *= 2;
+    }
+    let kept = side / squares as f64;
+    if kept <= tolerance { Ok(squares) } else { Err(TerrainError::TooFine { tolerance, least: kept }) }
 }
 
 /// Squares along the side of the cell that is measured most finely, as a power of two.
@@ -160,8 +207,20 @@ impl<'a> Survey<'a> {
         let (lattice, bounds) = (hierarchy.lattice, hierarchy.into_bounds());
         let Survey { corner, size, squares, colors, outlines, .. } = self;
         let side = self.head.side;
-        let mut terrain =
-            Terrain { side, corner, size, squares, grid, lattice, bounds, radii, outlines, colors, filled };
+        let mut terrain = Terrain {
+            side,
+            corner,
+            size,
+            squares,
+            grid,
+            lattice,
+            bounds,
+            radii,
+            outlines,
+            colors,
+            filled,
+            borders: None,
+        };
         terrain.cut_at_voids();
         Some(terrain)
     }
