@@ -233,3 +233,41 @@ fn bad_geojson_names_feature_and_line() {
         }
     }
 }
+
+/// 9 x 9 heights, 30 m apart; `corner` is where they lie.
+fn grid(desk: &Desk, name: &str, corner: &str) {
+    let row = "400 410 425 410 400 404 420 430 410\n";
+    desk.write(name, &format!("ncols 9\nnrows 9\n{corner}\nNODATA_value -9999\n{}", row.repeat(9)));
+}
+
+#[test]
+fn a_map_lies_on_a_relief_as_well() {
+    let desk = desk();
+    grid(&desk, "metres.asc", "xllcorner 380000\nyllcorner 4700000\ncellsize 60");
+    let from_above = "terrain metres.asc --units metres --error 1 --size 160x160 --colors plain";
+    let bare = desk.made(from_above, "b.ppm");
+    for drape in ["lispsm", "uniform", "exact"] {
+        let map = format!("{from_above} --map map.fmap --grid-crs EPSG:32631 --drape {drape}");
+        let worn = desk.made(&map, "m.ppm");
+        let blue = worn[worn.len() - 160 * 160 * 3..].chunks(3).filter(|it| it[2] > 100 && it[0] < it[2] / 2).count();
+        assert!(blue > 1000 && worn != bare, "{drape}: {blue} pixels of the lake");
+    }
+}
+
+#[test]
+fn maps_that_lie_on_no_relief_are_refused() {
+    let desk = desk();
+    grid(&desk, "metres.asc", "xllcorner 380000\nyllcorner 4700000\ncellsize 60");
+    for (options, expected) in [
+        ("-o no.ppm", "say it, as in --grid-crs"),
+        ("--grid-crs EPSG:32630 -o no.ppm", "nothing of the map's view `all` lies within"),
+        ("--grid-crs EPSG:3763 -o no.ppm", "expected a zone of UTM"),
+        ("--grid-crs EPSG:32631 -o no.nff", "no scene file can hold the map"),
+        ("--grid-crs EPSG:32631 --map-view none -o no.ppm", "has no view `none`"),
+    ] {
+        let outcome = desk.run(&format!("terrain metres.asc --units metres --map map.fmap {options}"));
+        assert_eq!(outcome.code, 2, "{options}: {}", outcome.stderr);
+        assert!(outcome.stderr.contains(expected), "{options}: {}", outcome.stderr);
+    }
+    assert!(!desk.entries().iter().any(|name| name.starts_with("no.")));
+}

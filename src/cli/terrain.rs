@@ -2,6 +2,7 @@
 
 mod command;
 mod covers;
+mod maps;
 mod progressive;
 mod relief;
 mod report;

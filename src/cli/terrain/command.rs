@@ -1,6 +1,7 @@
 //! The command: what is asked for, reading and merging, and where the relief goes.
 
 use super::covers::{CoverOptions, Covered};
+use super::maps::OnMap;
 use super::progressive::{receive, send};
 use super::relief::Made;
 use super::report;
@@ -41,6 +42,8 @@ pub(in crate::cli) struct TerrainCommand {
     pub(super) wanted: Wanted,
     #[command(flatten)]
     pub(super) view: View,
+    #[command(flatten)]
+    on_map: OnMap,
     #[command(flatten)]
     reading: Reading,
     #[command(flatten)]
@@ -193,6 +196,12 @@ impl TerrainCommand {
                 ))
             })?;
         }
+        if let (Some(map), Some(path)) = (&self.on_map.map, self.output.as_ref().filter(|path| is_scene(path))) {
+            let (map, path) = (map.display(), path.display());
+            return Err(CliError::failed(format!(
+                "{path}: no scene file can hold the map {map}; write a picture, .png or .ppm, or leave out --map"
+            )));
+        }
         let rasterizer = find_rasterizer(registry, self.view.rasterizer())?;
         let (merged, filled, made) = self.relief()?;
         let grid = &merged.grid;
@@ -212,6 +221,10 @@ impl TerrainCommand {
                 None => to_scene(grid, &made.mesh, &self.view.colors(grid)),
             };
             scene.camera = Some(Camera { resolution: self.view.size.unwrap_or(made.camera.resolution), ..made.camera });
+            let camera = scene.camera.unwrap_or(made.camera);
+            if let Some(told) = self.on_map.wear(grid, &mut scene, &camera)? {
+                notice(&told);
+            }
             if is_scene(path) {
                 write_scene(path, &scene)?;
             } else {

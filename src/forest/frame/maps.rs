@@ -17,7 +17,7 @@ use crate::forest::drape::{Drape, Method, Texels, View};
 use crate::forest::map::{Exact, MapError, Shape, draw};
 use crate::image::textures::{self, FirstRow, Lookup};
 use crate::math::{Mat3, Vec3};
-use crate::scene::{Camera, CutOut, Surface, Texture, TextureId};
+use crate::scene::{Camera, CutOut, Material, Mesh, Scene, Surface, SurfaceId, Texture, TextureId};
 use std::sync::Arc;
 
 /// How a map lies on the ground.
@@ -39,12 +39,13 @@ pub struct MapFigures {
 }
 
 /// A map that lies on the ground of all frames.
-pub(super) struct GroundMap {
+pub struct GroundMap {
     shapes: Vec<Shape>,
     laying: Laying,
     /// A square around the area: south-west corner and side.
     square: ([f64; 2], f64),
     exact: Option<Lookup>,
+    /// Of the last frame; `None`: nothing was drawn.
     pub figures: Option<MapFigures>,
 }
 
@@ -60,11 +61,24 @@ fn reach(cells: &Cells) -> Option<[[f64; 2]; 2]> {
 
 impl GroundMap {
     /// Shapes of the view `name`, the lowest first, on the area of `cells`.
-    pub fn new(cells: &Cells, name: &str, shapes: Vec<Shape>, laying: Laying) -> Result<GroundMap, FrameError> {
-        let Some([low, high]) = reach(cells) else { return Err(FrameError::Map(elsewhere(name, [[0.0; 2]; 2], &[]))) };
+    pub(super) fn new(cells: &Cells, name: &str, shapes: Vec<Shape>, laying: Laying) -> Result<GroundMap, FrameError> {
+        let Some(reach) = reach(cells) else { return Err(FrameError::Map(elsewhere(name, [[0.0; 2]; 2], &[]))) };
+        GroundMap::within(reach, name, shapes, laying).map_err(FrameError::Map)
+    }
+
+    /// Shapes of the view `name`, the lowest first, on land between two corners.
+    ///
+    /// # Errors
+    /// [`MapError::Elsewhere`].
+    pub fn within(
+        [low, high]: [[f64; 2]; 2],
+        name: &str,
+        shapes: Vec<Shape>,
+        laying: Laying,
+    ) -> Result<GroundMap, MapError> {
         let is_near = |[x, y]: [f64; 2]| x >= low[0] && x <= high[0] && y >= low[1] && y <= high[1];
         if !shapes.iter().any(|shape| spans(shape, [low, high]) || shape.positions().any(is_near)) {
-            return Err(FrameError::Map(elsewhere(name, [low, high], &shapes)));
+            return Err(elsewhere(name, [low, high], &shapes));
         }
         let square = (low, (high[0] - low[0]).max(high[1] - low[1]));
         let exact =
@@ -73,7 +87,7 @@ impl GroundMap {
     }
 
     /// Puts the ground's surfaces, those from number `first` on, behind the same ones that wear the map.
-    pub fn lay(
+    pub(super) fn lay(
         &mut self,
         (camera, size, choices): (&Camera, (u32, u32), &Choices),
         first: usize,
@@ -87,13 +101,39 @@ impl GroundMap {
             for surface in &ground {
                 let mesh = sink.surface(ground_material(Some(id)), surface.two_sided);
                 mesh.clone_from(&surface.mesh);
-                mesh.colors.clear();
-                mesh.texture.clear();
-                let (corner, side) = (Vec3::new(self.square.0[0], self.square.0[1], 0.0), self.square.1);
-                mesh.texture.extend(mesh.vertices.iter().map(|vertex| ((*vertex - corner) / side).with_z(0.0)));
+                self.put_on(mesh);
             }
         }
         sink.surfaces.extend(ground);
+    }
+
+    /// Puts all surfaces of a scene of one object, a relief, behind the same ones that wear the map.
+    pub fn wear(&mut self, scene: &mut Scene, camera: &Camera) {
+        let Some([low, high]) = land(&scene.surfaces) else { return };
+        let corner =
+            |axis: fn(Vec3) -> f64| (axis(low) - axis(camera.from)).abs().max((axis(high) - axis(camera.from)).abs());
+        let horizon = Vec3::new(corner(|at| at.x), corner(|at| at.y), corner(|at| at.z)).length();
+        let Some(texture) = self.texture(camera, camera.resolution, (horizon, &scene.surfaces)) else { return };
+        let id = TextureId(scene.textures.len() as u32);
+        scene.textures.push(texture);
+        let material = Material { diffuse: 1.0, texture: Some(id), ..Material::default() };
+        let worn = scene.surfaces.iter().map(|surface| {
+            let mut worn = Surface { material, ..surface.clone() };
+            self.put_on(&mut worn.mesh);
+            worn
+        });
+        let worn: Vec<Surface> = worn.collect();
+        scene.surfaces.splice(0..0, worn);
+        let count = scene.surfaces.len() as u32;
+        scene.objects.iter_mut().for_each(|object| object.surfaces = (0..count).map(SurfaceId).collect());
+    }
+
+    /// Places on the map for the vertices of a mesh, in place of whatever it wore.
+    fn put_on(&self, mesh: &mut Mesh) {
+        mesh.colors.clear();
+        mesh.texture.clear();
+        let (corner, side) = (Vec3::new(self.square.0[0], self.square.0[1], 0.0), self.square.1);
+        mesh.texture.extend(mesh.vertices.iter().map(|vertex| ((*vertex - corner) / side).with_z(0.0)));
     }
 
     fn texture(&mut self, camera: &Camera, size: (u32, u32), ground: (f64, &[Surface])) -> Option<Texture> {

@@ -30,7 +30,7 @@ mod trees;
 
 pub use choices::{Choices, FrameCounts, FrameError, GroundLook, Trees};
 pub use dress::SUN;
-pub use maps::{Laying, MapFigures};
+pub use maps::{GroundMap, Laying, MapFigures};
 
 use super::cells::Cells;
 use super::frustum::{Frustum, focal};
@@ -47,7 +47,6 @@ use crate::math::{Affine3, Vec3};
 use crate::scene::{Camera, Object, ObjectId, Place, Scene, SurfaceId};
 use dress::{Dress, KEYS, sun};
 use land::{Lander, Lists};
-use maps::GroundMap;
 use sink::Sink;
 use trees::{Eye, Order, Planter};
 

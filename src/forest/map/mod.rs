@@ -17,7 +17,7 @@ mod style;
 
 pub use draw::draw;
 pub use field::Exact;
-pub use shapes::{MapError, Pen, Shape, shapes};
+pub use shapes::{MapError, Pen, Shape, first_placed, shapes, shapes_by};
 pub use style::{Case, Condition, Length, Operator, Ramp, Style, Unit};
 
 use super::vector::Layer;

@@ -76,32 +76,42 @@ const USUAL_SIZE: Length = Length { value: 6.0, unit: Unit::Pixels };
 /// # Errors
 /// [`MapError::AreaUnknown`].
 pub fn shapes(map: &Map, view: &MapView, (crs, origin): (&str, [f64; 2])) -> Result<Vec<Shape>, MapError> {
-    let area = Crs::named(crs);
+    let Some(area) = Crs::named(crs) else {
+        return match first_placed(map, view) {
+            Some((layer, of)) => {
+                Err(MapError::AreaUnknown { layer: layer.to_string(), code: of.code(), area: crs.to_string() })
+            }
+            None => Ok(shapes_by(map, view, &|_, point| point)),
+        };
+    };
+    let to_area = |of: Crs, point: Point| {
+        let [east, north] = of.to(area, point);
+        [east - origin[0], north - origin[1]]
+    };
+    Ok(shapes_by(map, view, &to_area))
+}
+
+/// The first layer of `view`, the lowest first, that has a projection.
+#[must_use]
+pub fn first_placed<'a>(map: &'a Map, view: &MapView) -> Option<(&'a str, Crs)> {
+    let layers = view.themes.iter().rev().map(|&theme| &map.layers[map.themes[theme].layer]);
+    layers.filter_map(|layer| Some((layer.name.as_str(), layer.crs?))).next()
+}
+
+/// What `view` shows, the lowest first; `to_land` takes positions of a projection to metres of the land. Layers without one are in these metres.
+#[must_use]
+pub fn shapes_by(map: &Map, view: &MapView, to_land: &dyn Fn(Crs, Point) -> Point) -> Vec<Shape> {
     let mut shapes = Vec::new();
     for theme in view.themes.iter().rev().map(|&theme| &map.themes[theme]) {
         let layer = &map.layers[theme.layer];
-        let to_area = match (layer.crs, area) {
-            (None, _) => None,
-            (Some(of), Some(area)) => Some((of, area)),
-            (Some(of), None) => {
-                let (layer, area) = (layer.name.clone(), crs.to_string());
-                return Err(MapError::AreaUnknown { layer, code: of.code(), area });
-            }
-        };
-        let place = |point: Point| match to_area {
-            None => point,
-            Some((of, area)) => {
-                let [east, north] = of.to(area, point);
-                [east - origin[0], north - origin[1]]
-            }
-        };
+        let place = |point: Point| layer.crs.map_or(point, |of| to_land(of, point));
         let shown = layer.features.iter().filter(|feature| theme.conditions.iter().all(|it| it.holds(feature)));
         shapes.extend(shown.map(|feature| {
             let style = theme.style.of(&theme.cases, feature);
             looking(moved(&feature.geometry, place), style)
         }));
     }
-    Ok(shapes)
+    shapes
 }
 
 /// A shape with its look: polygons have an outline only where a color says so, lines and points are black where none does.
