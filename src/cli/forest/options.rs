@@ -1,9 +1,10 @@
 //! What may be asked of `farop forest`.
 
 use super::stock::{New, Pack, Unpack};
-use crate::cli::options::{finite, not_negative, point, size};
+use crate::cli::options::{encoding, finite, not_negative, point, size};
+use crate::color::Encoding;
 use crate::math::Vec3;
-use crate::plan::Shading;
+use crate::plan::{AlphaRule, Shading};
 use clap::{Args, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -199,4 +200,10 @@ pub(in crate::cli) struct Picture {
     /// Threads; the picture does not depend on it
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024))]
     pub threads: Option<u32>,
+    /// Pictures with holes: coverage (as many samples as alpha says), test (all above the threshold), or paper (nothing repaired)
+    #[arg(long, value_name = "RULE", default_value = "coverage")]
+    pub alpha: AlphaRule,
+    /// srgb, or linear: numbers straight through, as in 1996
+    #[arg(long, value_name = "NAME", default_value = "srgb", value_parser = encoding)]
+    pub encoding: Encoding,
 }

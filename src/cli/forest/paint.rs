@@ -58,6 +58,8 @@ impl<'a> Painter<'a> {
             shading: options.shading,
             samples: options.samples,
             threads: options.threads,
+            alpha: options.alpha,
+            encoding: options.encoding,
             ..Choices::default()
         };
         Painter { rasterizer, choices, stage, list, frame, image, levels: Vec::new() }
