@@ -9,7 +9,7 @@
 
 use super::choices::{Choices, FrameCounts, Trees};
 use super::dress::Dress;
-use super::sink::{CROWN, Quad, Sink, UPRIGHT, add_quad, add_triangle};
+use super::sink::{CROWN, Quad, Sink, Stand, UPRIGHT, add_quad, add_solid, add_triangle};
 use crate::forest::area::{CellIndex, Head};
 use crate::forest::detail::{self, Form, Look, Looks};
 use crate::forest::frustum::Frustum;
@@ -187,7 +187,11 @@ impl Planter<'_> {
     #[inline]
     fn looks(&self, pixels: f64, down: f64, chance: u32) -> Looks {
         match self.choices.trees {
-            Trees::Auto => detail::looks(pixels, down, chance),
+            Trees::Auto => match self.choices.solid_above {
+                Some(limit) => detail::looks_with_solids(pixels, down, chance, limit),
+                None => detail::looks(pixels, down, chance),
+            },
+            Trees::Solids => Looks::only(Form::Solid),
             Trees::Crossed => Looks::only(Form::Crossed),
             Trees::Billboards => Looks::only(Form::Facing),
             Trees::None => Looks::default(),
@@ -197,11 +201,15 @@ impl Planter<'_> {
     #[inline]
     fn draw(&self, tree: &Drawn<'_>, look: Look, sink: &mut Sink, counts: &mut FrameCounts) {
         let Drawn { foot, away, size, picture, scale } = *tree;
+        if look.form == Form::Solid {
+            return self.solid(tree, look, sink, counts);
+        }
         let is_narrow = look.form == Form::Narrow;
         let key = Dress::key(picture, is_narrow, look.from, look.to);
         let mesh = sink.mesh(self.dress, key);
         let (width, height) = (size.crown * scale, size.height * scale);
         match look.form {
+            Form::Solid => {}
             Form::Narrow => {
                 counts.narrow += 1;
                 counts.tree_polygons += 1;
@@ -235,6 +243,17 @@ impl Planter<'_> {
                 add_quad(mesh, Quad { corner: middle - (along + up) / 2.0, along, up }, &CROWN, size.chance);
             }
         }
+    }
+
+    fn solid(&self, tree: &Drawn<'_>, look: Look, sink: &mut Sink, counts: &mut FrameCounts) {
+        let Drawn { foot, size, picture, .. } = *tree;
+        let solid = &self.dress.solids[picture];
+        counts.solid += 1;
+        counts.solid_triangles += solid.triangles.len() as u64;
+        counts.tree_polygons += solid.triangles.len() as u64;
+        let at = Stand { foot, turn: (cos(size.turn), sin(size.turn)), size: (size.crown, size.height) };
+        // A fading mesh wears one texel, and any place in it will do.
+        add_solid(sink.mesh(self.dress, Dress::solid_key(picture, look.to)), solid, &at, (look.to < 16, size.chance));
     }
 }
 
