@@ -180,7 +180,10 @@ impl Planter<'_> {
         counts.thinned += u64::from(looks.is_nothing());
         for look in looks.iter() {
             let tree = Drawn { foot, away, size, picture, scale: looks.scale };
-            self.draw(&tree, look, sink, counts);
+            match look.form {
+                Form::Solid => self.solid(&tree, look, sink, counts),
+                _ => self.draw(&tree, look, sink, counts),
+            }
         }
     }
 
@@ -201,14 +204,12 @@ impl Planter<'_> {
     #[inline]
     fn draw(&self, tree: &Drawn<'_>, look: Look, sink: &mut Sink, counts: &mut FrameCounts) {
         let Drawn { foot, away, size, picture, scale } = *tree;
-        if look.form == Form::Solid {
-            return self.solid(tree, look, sink, counts);
-        }
         let is_narrow = look.form == Form::Narrow;
         let key = Dress::key(picture, is_narrow, look.from, look.to);
         let mesh = sink.mesh(self.dress, key);
         let (width, height) = (size.crown * scale, size.height * scale);
         match look.form {
+            // It is no picture and has its own way.
             Form::Solid => {}
             Form::Narrow => {
                 counts.narrow += 1;
@@ -237,10 +238,8 @@ impl Planter<'_> {
             }
             Form::Lying => {
                 counts.tree_polygons += 1;
-                let along = Vec3::new(cos(size.turn), sin(size.turn), 0.0) * width;
-                let up = Vec3::new(-along.y, along.x, 0.0);
                 let middle = foot + Vec3::Z * (0.6 * height);
-                add_quad(mesh, Quad { corner: middle - (along + up) / 2.0, along, up }, &CROWN, size.chance);
+                add_quad(mesh, lying(middle, size.turn, width), &CROWN, size.chance);
             }
         }
     }
@@ -255,6 +254,13 @@ impl Planter<'_> {
         // A fading mesh wears one texel, and any place in it will do.
         add_solid(sink.mesh(self.dress, Dress::solid_key(picture, look.to)), solid, &at, (look.to < 16, size.chance));
     }
+}
+
+/// A level picture around a place.
+fn lying(middle: Vec3, turn: f64, width: f64) -> Quad {
+    let along = Vec3::new(cos(turn), sin(turn), 0.0) * width;
+    let up = Vec3::new(-along.y, along.x, 0.0);
+    Quad { corner: middle - (along + up) / 2.0, along, up }
 }
 
 /// A tree that is drawn.
