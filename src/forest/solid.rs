@@ -158,7 +158,7 @@ mod tests {
         assert!(radius(&egg, 7) > 2.0 * radius(&egg, 1), "an oak has a stem");
         assert!(radius(&umbrella, 10) > 2.5 * radius(&umbrella, 4), "a stone pine is wide above");
         assert!(radius(&column, 2) < 0.3 * radius(&column, 8), "a eucalypt is bare below");
-        assert!(radius(&shrub, 2) > 0.25, "a shrub begins at the ground");
+        assert!(radius(&shrub, 4) > 2.0 * radius(&egg, 2), "a shrub has leaves where an oak has a stem");
     }
 
     #[test]
@@ -174,8 +174,12 @@ mod tests {
             }
             let open: Vec<_> = sides.into_iter().filter(|(_, sum)| *sum != 0).collect();
             assert!(open.len() == AROUND && open.iter().all(|(side, _)| side[1] < AROUND as u32), "{name}: {open:?}");
-            let outward = solid.vertices.iter().zip(&solid.normals).filter(|(at, normal)| at.dot(**normal) > 0.0);
-            assert!(outward.count() > 100, "{name}");
+            // The open foot lies in the plane of the origin and adds nothing.
+            let volume = solid.triangles.iter().map(|corners| {
+                let [a, b, c] = corners.map(|corner| solid.vertices[corner as usize]);
+                a.dot(b.cross(c)) / 6.0
+            });
+            assert!(volume.sum::<f64>() > 0.02, "{name}");
             assert!(solid.normals.iter().all(|normal| (normal.length() - 1.0).abs() < 1e-12), "{name}");
         }
     }
