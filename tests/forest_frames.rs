@@ -329,6 +329,29 @@ fn counts_add_up_and_near_trees_come_first() {
 }
 
 #[test]
+fn near_trees_are_meshes_where_that_is_asked_for_and_far_ones_stay() {
+    let cells = area();
+    let solid_above = Some(60.0);
+    let (mut usual, mut near) = (composer(&cells, choices()), composer(&cells, Choices { solid_above, ..choices() }));
+    let ground = ground_at(&cells, usual.terrain(), [490.0, 487.0]);
+    let eye = Vec3::new(490.0, 487.0, ground + 4.0);
+    let camera = camera(eye, eye + Vec3::new(1.0, 0.5, 0.0));
+    let (_, before) = usual.compose(&camera, SIZE).expect("in memory");
+    let (scene, counts) = near.compose(&camera, SIZE).expect("in memory");
+    check(scene);
+    assert!(counts.solid > 0 && counts.solid_triangles == counts.solid * 276, "{counts:?}");
+    assert!(counts.crossed < before.crossed, "{counts:?}");
+    let far = |counts: &FrameCounts| (counts.submitted, counts.facing, counts.narrow, counts.thinned);
+    assert_eq!(far(&counts), far(&before));
+    let plan = farop::plan::Choices::default();
+    let slow = render(scene, &plan, Some(&farop::raster::ZBuffer)).expect("a view").image;
+    assert!(slow == render(scene, &plan, Some(&Fast::default())).expect("a view").image, "all rasterizers agree");
+    let lit = scene.surfaces.iter().filter(|surface| surface.two_sided && surface.material.diffuse > 0.0);
+    let triangles: usize = lit.map(|surface| surface.mesh.polygons.len()).sum();
+    assert_eq!(triangles as u64, counts.solid_triangles, "meshes and no other trees have the scene's light");
+}
+
+#[test]
 fn frames_share_memory() {
     let cells = area();
     let mut composer = composer(&cells, choices());
@@ -356,6 +379,8 @@ fn what_is_no_choice_is_refused() {
         Choices { horizon: 1e9, ..choices() },
         Choices { tolerance: 0.0, ..choices() },
         Choices { threshold: 2.0, ..choices() },
+        Choices { solid_above: Some(20.0), ..choices() },
+        Choices { solid_above: Some(f64::NAN), ..choices() },
     ] {
         let pictures = pictures(&cells);
         let error = Composer::new(&cells, pictures, choices).err().expect("refused");

@@ -4,6 +4,7 @@
 //!
 //! | Pixels | A tree is |
 //! |---|---|
+//! | above a limit that is asked for | a mesh ([`solid`](super::solid)) |
 //! | above 48 | two pictures crossed, and a lying one when looked down on |
 //! | 8 to 48 | one picture that faces the eye |
 //! | 2 to 8 | a triangle in the mean color of the picture |
@@ -34,6 +35,8 @@ const STEEP: f64 = std::f64::consts::FRAC_1_SQRT_2;
 /// What a part of a tree looks like.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
+    /// A mesh ([`solid`](super::solid)).
+    Solid,
     /// Two upright pictures at right angles.
     Crossed,
     /// A lying picture, above the others.
@@ -76,6 +79,14 @@ impl Looks {
         Looks { list: [Some(Look { form, from: 0, to: 16 }), None, None], scale: 1.0 }
     }
 
+    /// With one more, behind the others.
+    fn with(mut self, look: Option<Look>) -> Looks {
+        if let Some(free) = self.list.iter_mut().find(|look| look.is_none()) {
+            *free = look;
+        }
+        self
+    }
+
     /// Whether nothing is drawn: others stand for it.
     #[must_use]
     pub fn is_nothing(&self) -> bool {
@@ -104,6 +115,23 @@ pub fn looks(pixels: f64, down: f64, chance: u32) -> Looks {
         return both(Form::Crossed, Form::Facing, sixteenths(pixels, CROSSED), lying);
     }
     Looks { list: [Some(Look { form: Form::Crossed, from: 0, to: 16 }), lying, None], scale: 1.0 }
+}
+
+/// As [`looks`], with a mesh above `limit` pixels, which must be well above [`CROSSED`].
+#[must_use]
+#[inline]
+pub fn looks_with_solids(pixels: f64, down: f64, chance: u32, limit: f64) -> Looks {
+    if pixels < limit / BAND {
+        return looks(pixels, down, chance);
+    }
+    match sixteenths(pixels, limit) {
+        16 => Looks::only(Form::Solid),
+        share => {
+            // The lying picture goes as the crossed ones do: it never has more samples than they.
+            let lying = lying(down).map(|look| Look { to: look.to.min(16 - share), ..look });
+            both(Form::Solid, Form::Crossed, share, None).with(lying)
+        }
+    }
 }
 
 /// The lying picture of a tree that is looked down on.
@@ -180,6 +208,30 @@ mod tests {
                 assert!(looks.iter().all(|look| look.from < look.to), "{pixels}");
             }
         }
+    }
+
+    #[test]
+    fn meshes_end_in_crossed_pictures_and_nothing_jumps() {
+        let shares = |pixels: f64, down: f64, form: Form| {
+            let looks = looks_with_solids(pixels, down, 0, 160.0);
+            looks.iter().filter(|look| look.form == form).map(|look| i32::from(look.to - look.from)).sum::<i32>()
+        };
+        for down in [0.0, 0.6, 0.64, 0.9] {
+            let mut pixels = 60.0;
+            while pixels < 200.0 {
+                let [solid, crossed, lying] =
+                    [Form::Solid, Form::Crossed, Form::Lying].map(|form| shares(pixels, down, form));
+                assert_eq!(solid + crossed, 16, "{pixels}");
+                assert!(lying <= crossed, "{pixels}: {lying} lying with {crossed} crossed");
+                for form in [Form::Solid, Form::Crossed, Form::Lying] {
+                    let change = (shares(pixels, down, form) - shares(pixels * 1.001, down, form)).abs();
+                    assert!(change <= 1, "{form:?} at {pixels}: {change}");
+                }
+                pixels *= 1.001;
+            }
+        }
+        assert_eq!(looks_with_solids(300.0, 0.9, 0, 160.0), Looks::only(Form::Solid));
+        assert_eq!(looks_with_solids(100.0, 0.0, 7, 160.0), looks(100.0, 0.0, 7), "far trees are what they were");
     }
 
     #[test]

@@ -32,6 +32,7 @@ pub mod polygon;
 pub mod random;
 pub mod relief;
 pub mod silhouette;
+pub mod solid;
 pub mod terrain;
 pub mod tree;
 pub mod vector;

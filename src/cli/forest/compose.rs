@@ -1,7 +1,7 @@
 //! The scene of one frame: the composer's, or with silhouettes in place of pictures.
 
 use super::maps;
-use super::options::{Forest, TreesName};
+use super::options::{Forest, NearName, TreesName};
 use crate::cli::error::{self, CliError};
 use crate::forest::cells::Cells;
 use crate::forest::frame::{self, FrameCounts, Trees};
@@ -84,8 +84,10 @@ fn choices(options: &Forest, year: Option<i32>) -> frame::Choices {
         TreesName::Auto | TreesName::Silhouettes => Trees::Auto,
         TreesName::Crossed => Trees::Crossed,
         TreesName::Billboards => Trees::Billboards,
+        TreesName::Mesh => Trees::Solids,
         TreesName::None => Trees::None,
     };
     let Forest { horizon, tolerance, cover_tolerance, .. } = *options;
-    frame::Choices { year, horizon, tolerance, trees, cover_tolerance, ..frame::Choices::default() }
+    let solid_above = (options.near_trees == NearName::Mesh).then_some(options.near_height);
+    frame::Choices { solid_above, year, horizon, tolerance, trees, cover_tolerance, ..frame::Choices::default() }
 }

@@ -63,12 +63,13 @@ impl Figures {
         ]
     }
 
-    fn counts(&self) -> [(&'static str, String); 4] {
+    fn counts(&self) -> Vec<(&'static str, String)> {
         let all = self.frames.len().max(1) as f64;
         let total = |of: fn(&Painted) -> u64| self.frames.iter().map(of).sum::<u64>() as f64;
         let per_second = |count: f64| 1e3 * count / self.sum().max(1e-6);
         let (trees, terrain) = (total(|frame| frame.trees), total(|frame| frame.terrain));
-        [
+        let [solids, triangles] = [total(|frame| frame.solids[0]), total(|frame| frame.solids[1])].map(|sum| sum / all);
+        let mut counts = vec![
             ("trees", format!("{:.0} a frame, {:.3} million a second", trees / all, per_second(trees) / 1e6)),
             (
                 "terrain",
@@ -76,7 +77,11 @@ impl Figures {
             ),
             ("polygons", format!("{:.0} a frame, all together", total(|frame| frame.polygons) / all)),
             ("overdraw", overdraw(total(|frame| frame.puts), total(|frame| frame.overdraw))),
-        ]
+        ];
+        if solids > 0.0 {
+            counts.insert(1, ("meshes", format!("{solids:.1} trees a frame, {triangles:.0} triangles")));
+        }
+        counts
     }
 }
 

@@ -140,12 +140,18 @@ pub(in crate::cli) struct Forest {
     /// How far trees and ground are drawn, in metres
     #[arg(long, value_name = "M", default_value_t = 2000.0, value_parser = not_negative)]
     pub horizon: f64,
-    /// auto (by size on the picture), crossed, billboards, silhouettes or none
+    /// auto (by size on the picture), crossed, billboards, mesh, silhouettes or none
     #[arg(long, value_name = "HOW", default_value = "auto")]
     pub trees: TreesName,
     /// Nearby, every triangle of the ground wears one cover, and no wrong one is farther than M metres from a border
     #[arg(long, value_name = "M", value_parser = not_negative, allow_hyphen_values = true)]
     pub cover_tolerance: Option<f64>,
+    /// What trees are that come near: pictures, or meshes in the light of the sun
+    #[arg(long, value_name = "HOW", default_value = "pictures")]
+    pub near_trees: NearName,
+    /// Pixels above which a tree is near
+    #[arg(long, value_name = "PX", default_value_t = 160.0, value_parser = not_negative)]
+    pub near_height: f64,
     /// Error of the relief, in pixels
     #[arg(long, value_name = "PX", default_value_t = 1.0, value_parser = not_negative)]
     pub tolerance: f64,
@@ -173,10 +179,17 @@ pub(in crate::cli) enum DrapeName {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum NearName {
+    Pictures,
+    Mesh,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(in crate::cli) enum TreesName {
     Auto,
     Crossed,
     Billboards,
+    Mesh,
     Silhouettes,
     None,
 }

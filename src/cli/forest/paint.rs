@@ -22,6 +22,8 @@ pub(super) struct Painted {
     pub milliseconds: [f64; 4],
     /// Trees in view.
     pub trees: u64,
+    /// Trees that are meshes, and their triangles.
+    pub solids: [u64; 2],
     /// Polygons of the ground.
     pub terrain: u64,
     /// Polygons that the rasterizer was given.

@@ -72,7 +72,8 @@ pub(super) fn frame(
     let composing = timer.stop().elapsed;
     let mut painted = painter.paint(scene)?;
     painted.milliseconds[0] = composing;
-    Ok(Painted { trees: counts.submitted, terrain: counts.terrain_polygons, ..painted })
+    let solids = [counts.solid, counts.solid_triangles];
+    Ok(Painted { solids, trees: counts.submitted, terrain: counts.terrain_polygons, ..painted })
 }
 
 fn hash(bytes: &[u8]) -> String {

@@ -17,6 +17,8 @@ pub enum Trees {
     Crossed,
     /// One picture each that faces the eye, near and far, as in Caralo's paper.
     Billboards,
+    /// Meshes, near and far: what the other looks are compared with.
+    Solids,
     /// No trees.
     None,
 }
@@ -46,6 +48,8 @@ pub struct Choices {
     pub tolerance: f64,
     /// What stands for trees.
     pub trees: Trees,
+    /// Pixels above which a tree of [`Trees::Auto`] is a mesh; `None`: none is.
+    pub solid_above: Option<f64>,
     /// What wears the ground.
     pub ground: GroundLook,
     /// `Some`: nearby, every triangle of the ground wears one cover, and no wrong one is farther than so many metres from a border.
@@ -65,6 +69,7 @@ impl Default for Choices {
             prefetch: 3,
             tolerance: 1.0,
             trees: Trees::default(),
+            solid_above: None,
             ground: GroundLook::default(),
             cover_tolerance: None,
             hiding: true,
@@ -86,6 +91,10 @@ pub struct FrameCounts {
     pub submitted: u64,
     /// Those that others stand for.
     pub thinned: u64,
+    /// Those that are meshes.
+    pub solid: u64,
+    /// Triangles of these.
+    pub solid_triangles: u64,
     /// Those with crossed pictures; near a limit a tree counts twice.
     pub crossed: u64,
     /// Those with a picture that faces the eye.
@@ -133,6 +142,8 @@ pub enum FrameError {
 
 /// Metres of the farthest horizon: more would be loaded than memory takes.
 const FARTHEST: f64 = 100_000.0;
+/// Pixels; lower ones would fade while crossed pictures do.
+const LOWEST_SOLID: f64 = 60.0;
 
 impl Choices {
     /// Refuses what makes no frame.
@@ -144,6 +155,9 @@ impl Choices {
         of("the tolerance", self.tolerance, "above 0 pixels", self.tolerance > 0.0 && self.tolerance.is_finite())?;
         let covers = self.cover_tolerance.unwrap_or(1.0);
         of("the cover tolerance", covers, "above 0 metres", covers > 0.0 && covers.is_finite())?;
+        let solid = self.solid_above.unwrap_or(LOWEST_SOLID);
+        let is_good = solid >= LOWEST_SOLID && solid.is_finite();
+        of("the height of meshes", solid, "60 pixels or more", is_good)?;
         of("the threshold", self.threshold, "0 to 1", (0.0..=1.0).contains(&self.threshold))
     }
 }

@@ -12,6 +12,7 @@
 use crate::color::Rgb;
 use crate::forest::area::Head;
 use crate::forest::pictures::{Painted, Pictures};
+use crate::forest::solid::Solid;
 use crate::image::textures::{FirstRow, Texels};
 use crate::math::Vec3;
 use crate::scene::{Light, LightSource, Material, Place, Texture, TextureId};
@@ -25,11 +26,15 @@ const DIFFUSE: f64 = 0.9;
 /// What trees send back: as level ground does in the sun and in the light of the sky, which is half of a lamp's in scenes with one lamp.
 const LIGHT: f64 = DIFFUSE * (0.5 + SUNLIGHT * std::f64::consts::FRAC_1_SQRT_2);
 
-/// Keys of one picture: whole; 15 shares as the nearer look; 15 as the farther one; the triangle; 15 shares of it.
-pub(super) const KEYS: usize = 47;
+/// Keys of one picture: whole; 15 shares as the nearer look; 15 as the farther one; the triangle; 15 shares of it;
+/// the mesh; 15 shares of it.
+pub(super) const KEYS: usize = 63;
 const NARROW: usize = 31;
-/// Textures of one picture: all keys but the triangle in one color.
-const TEXTURES: usize = KEYS - 1;
+const SOLID: usize = 47;
+/// Textures of one picture: all keys before the mesh, but the triangle in one color.
+const TEXTURES: usize = SOLID - 1;
+/// What a mesh sends back of ambient light and of the sun's: on the mean of its lit and its shaded side about as much as its picture.
+const SOLID_LIGHT: [f64; 2] = [0.6, 0.9];
 
 /// What trees wear.
 pub(super) struct Dress {
@@ -38,23 +43,35 @@ pub(super) struct Dress {
     /// Index of a species' first picture, and how many it has.
     first: Vec<(u32, u32)>,
     colors: Vec<Rgb>,
+    /// The mesh of each picture.
+    pub solids: Vec<Solid>,
     /// How much of its rectangle each picture fills.
     pub shares: Vec<f64>,
 }
 
 impl Dress {
     pub fn new(head: &Head, pictures: &Pictures, threshold: f64) -> Dress {
-        let mut dress = Dress { textures: Vec::new(), first: Vec::new(), colors: Vec::new(), shares: Vec::new() };
+        let mut dress = Dress {
+            textures: Vec::new(),
+            first: Vec::new(),
+            colors: Vec::new(),
+            solids: Vec::new(),
+            shares: Vec::new(),
+        };
         for (species, painted) in head.species.iter().zip(&pictures.trees) {
             dress.first.push((dress.colors.len() as u32, painted.len() as u32));
             for (number, picture) in painted.iter().enumerate() {
                 dress.add(&format!("{}:{number}", species.code), picture, threshold);
             }
         }
+        // Shares of meshes are the same for all pictures: their colors are at their corners.
+        let white = Texture::opaque("mesh", one_texel(Rgb::WHITE));
+        dress.textures.extend((1..16).map(|share| white.clone().faded(0, share)));
         dress
     }
 
     fn add(&mut self, name: &str, picture: &Painted, threshold: f64) {
+        self.solids.push(Solid::new(picture, self.colors.len() as u64));
         self.colors.push(picture.color);
         self.shares.push(picture.share);
         let whole =
@@ -90,12 +107,24 @@ impl Dress {
         picture * KEYS + if is_narrow { NARROW + own.saturating_sub(15) } else { own }
     }
 
+    /// The key of a picture's mesh that has the samples below `to`.
+    #[inline]
+    pub fn solid_key(picture: usize, to: u8) -> usize {
+        picture * KEYS + SOLID + if to < 16 { usize::from(to) } else { 0 }
+    }
+
     /// What surfaces of a key are made of.
     pub fn material(&self, key: usize) -> Material {
         let (picture, own) = (key / KEYS, key % KEYS);
         let matte = Material { ambient: Some(LIGHT), diffuse: 0.0, ..Material::default() };
         if own == NARROW {
             return Material { color: self.colors[picture], ..matte };
+        }
+        if own >= SOLID {
+            let first = self.pictures() * TEXTURES;
+            let texture = (own > SOLID).then(|| TextureId((first + own - SOLID - 1) as u32));
+            let [ambient, diffuse] = SOLID_LIGHT;
+            return Material { color: Rgb::WHITE, ambient: Some(ambient), diffuse, texture, ..Material::default() };
         }
         let texture = picture * TEXTURES + if own > NARROW { own - 1 } else { own };
         Material { texture: Some(TextureId(texture as u32)), ..matte }
@@ -133,7 +162,7 @@ mod tests {
         let pictures = Pictures::new(&head, Path::new(".")).expect("painted");
         let dress = Dress::new(&head, &pictures, 0.5);
         let picture = dress.picture(1, 2).expect("is there");
-        assert_eq!((dress.pictures(), dress.textures.len()), (8, 8 * TEXTURES));
+        assert_eq!((dress.pictures(), dress.textures.len()), (8, 8 * TEXTURES + 15));
         assert!(dress.picture(2, 0).is_none());
         for (is_narrow, from, to) in (0..16).flat_map(|k| [(false, 0, k + 1), (false, k, 16), (true, k, 16)]) {
             let material = dress.material(Dress::key(picture, is_narrow, from, to));

@@ -10,6 +10,7 @@
 
 use super::dress::Dress;
 use crate::color::Rgb;
+use crate::forest::solid::Solid;
 use crate::math::Vec3;
 use crate::scene::{Material, Mesh, NormalSource, Place, Polygon, Surface};
 
@@ -117,6 +118,37 @@ pub(super) fn add_triangle(mesh: &mut Mesh, corners: [Vec3; 3], is_worn: bool, n
     }
     mesh.outlines.extend_from_slice(&[first, first + 1, first + 2]);
     mesh.polygons.push(Polygon { start, count: 3, line: number, normals: NormalSource::Facet });
+}
+
+/// Where a mesh stands: its foot, cosine and sine of its turn, crown and height.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stand {
+    pub foot: Vec3,
+    pub turn: (f64, f64),
+    pub size: (f64, f64),
+}
+
+/// Adds a copy of a solid. Normals are stretched the other way than corners, so that they stay at right angles to the faces.
+pub(super) fn add_solid(mesh: &mut Mesh, solid: &Solid, at: &Stand, (is_worn, number): (bool, u32)) {
+    let first = mesh.vertices.len() as u32;
+    let ((cos, sin), (crown, height)) = (at.turn, at.size);
+    let turned = |v: Vec3| Vec3::new(cos * v.x - sin * v.y, sin * v.x + cos * v.y, v.z);
+    let placed = |v: &Vec3| at.foot + turned(Vec3::new(v.x * crown, v.y * crown, v.z * height));
+    let looking = |n: &Vec3| {
+        let stretched = turned(Vec3::new(n.x * height, n.y * height, n.z * crown));
+        crate::math::unit(stretched).unwrap_or(Vec3::Z)
+    };
+    mesh.vertices.extend(solid.vertices.iter().map(placed));
+    mesh.normals.extend(solid.normals.iter().map(looking));
+    mesh.colors.extend_from_slice(&solid.colors);
+    if is_worn {
+        mesh.texture.extend(solid.vertices.iter().map(|_| Vec3::ZERO));
+    }
+    for corners in &solid.triangles {
+        let start = mesh.outlines.len() as u32;
+        mesh.outlines.extend(corners.map(|corner| first + corner));
+        mesh.polygons.push(Polygon { start, count: 3, line: number, normals: NormalSource::Given });
+    }
 }
 
 /// Adds a corner of the ground.

@@ -9,7 +9,7 @@
 
 use super::choices::{Choices, FrameCounts, Trees};
 use super::dress::Dress;
-use super::sink::{CROWN, Quad, Sink, UPRIGHT, add_quad, add_triangle};
+use super::sink::{CROWN, Quad, Sink, Stand, UPRIGHT, add_quad, add_solid, add_triangle};
 use crate::forest::area::{CellIndex, Head};
 use crate::forest::detail::{self, Form, Look, Looks};
 use crate::forest::frustum::Frustum;
@@ -180,14 +180,21 @@ impl Planter<'_> {
         counts.thinned += u64::from(looks.is_nothing());
         for look in looks.iter() {
             let tree = Drawn { foot, away, size, picture, scale: looks.scale };
-            self.draw(&tree, look, sink, counts);
+            match look.form {
+                Form::Solid => self.solid(&tree, look, sink, counts),
+                _ => self.draw(&tree, look, sink, counts),
+            }
         }
     }
 
     #[inline]
     fn looks(&self, pixels: f64, down: f64, chance: u32) -> Looks {
         match self.choices.trees {
-            Trees::Auto => detail::looks(pixels, down, chance),
+            Trees::Auto => match self.choices.solid_above {
+                Some(limit) => detail::looks_with_solids(pixels, down, chance, limit),
+                None => detail::looks(pixels, down, chance),
+            },
+            Trees::Solids => Looks::only(Form::Solid),
             Trees::Crossed => Looks::only(Form::Crossed),
             Trees::Billboards => Looks::only(Form::Facing),
             Trees::None => Looks::default(),
@@ -202,6 +209,8 @@ impl Planter<'_> {
         let mesh = sink.mesh(self.dress, key);
         let (width, height) = (size.crown * scale, size.height * scale);
         match look.form {
+            // It is no picture and has its own way.
+            Form::Solid => {}
             Form::Narrow => {
                 counts.narrow += 1;
                 counts.tree_polygons += 1;
@@ -229,13 +238,29 @@ impl Planter<'_> {
             }
             Form::Lying => {
                 counts.tree_polygons += 1;
-                let along = Vec3::new(cos(size.turn), sin(size.turn), 0.0) * width;
-                let up = Vec3::new(-along.y, along.x, 0.0);
                 let middle = foot + Vec3::Z * (0.6 * height);
-                add_quad(mesh, Quad { corner: middle - (along + up) / 2.0, along, up }, &CROWN, size.chance);
+                add_quad(mesh, lying(middle, size.turn, width), &CROWN, size.chance);
             }
         }
     }
+
+    fn solid(&self, tree: &Drawn<'_>, look: Look, sink: &mut Sink, counts: &mut FrameCounts) {
+        let Drawn { foot, size, picture, .. } = *tree;
+        let solid = &self.dress.solids[picture];
+        counts.solid += 1;
+        counts.solid_triangles += solid.triangles.len() as u64;
+        counts.tree_polygons += solid.triangles.len() as u64;
+        let at = Stand { foot, turn: (cos(size.turn), sin(size.turn)), size: (size.crown, size.height) };
+        // A fading mesh wears one texel, and any place in it will do.
+        add_solid(sink.mesh(self.dress, Dress::solid_key(picture, look.to)), solid, &at, (look.to < 16, size.chance));
+    }
+}
+
+/// A level picture around a place.
+fn lying(middle: Vec3, turn: f64, width: f64) -> Quad {
+    let along = Vec3::new(cos(turn), sin(turn), 0.0) * width;
+    let up = Vec3::new(-along.y, along.x, 0.0);
+    Quad { corner: middle - (along + up) / 2.0, along, up }
 }
 
 /// A tree that is drawn.
