@@ -31,6 +31,7 @@ pub mod place;
 pub mod polygon;
 pub mod random;
 pub mod relief;
+pub mod season;
 pub mod silhouette;
 pub mod solid;
 pub mod terrain;

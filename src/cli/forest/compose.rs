@@ -1,13 +1,14 @@
 //! The scene of one frame: the composer's, or with silhouettes in place of pictures.
 
 use super::maps;
-use super::options::{Forest, NearName, TreesName};
+use super::options::{Forest, NearName, SeasonName, TreesName};
 use crate::cli::error::{self, CliError};
 use crate::forest::cells::Cells;
 use crate::forest::frame::{self, FrameCounts, Trees};
 use crate::forest::heights::Heights;
 use crate::forest::objects::stand;
 use crate::forest::pictures::Pictures;
+use crate::forest::season::Season;
 use crate::forest::silhouette::without_pictures;
 use crate::math::Vec3;
 use crate::parse::load_models;
@@ -35,6 +36,10 @@ pub(super) struct Wanted<'a> {
 impl<'a> Composer<'a> {
     pub fn new(wanted: &Wanted<'a>) -> Result<Composer<'a>, CliError> {
         let pictures = Pictures::new(wanted.cells.head(), wanted.folder).map_err(CliError::failed)?;
+        let pictures = match season(wanted.options, &wanted.cells.head().crs) {
+            Some(season) => season.dress(wanted.cells.head(), pictures),
+            None => pictures,
+        };
         let choices = choices(wanted.options, wanted.year);
         let mut composer = frame::Composer::new(wanted.cells, pictures, choices).map_err(CliError::failed)?;
         let models = load_models(wanted.cells.head(), wanted.folder);
@@ -76,6 +81,17 @@ pub(super) fn boxes(cells: &Cells, folder: &Path) -> Result<Vec<[Vec3; 2]>, CliE
     let mut heights = Heights::default();
     let stood = stand(cells.head(), &models, |place| heights.at(cells, place).unwrap_or_default());
     Ok(stood.map_err(CliError::failed)?.boxes)
+}
+
+/// The season that options name.
+fn season(options: &Forest, crs: &str) -> Option<Season> {
+    let named = options.season.map(|name| match name {
+        SeasonName::Spring => Season::Spring,
+        SeasonName::Summer => Season::Summer,
+        SeasonName::Autumn => Season::Autumn,
+        SeasonName::Winter => Season::Winter,
+    });
+    named.or(options.day.map(|day| Season::of_day(day, crs)))
 }
 
 /// The choices that options make.

@@ -155,6 +155,12 @@ pub(in crate::cli) struct Forest {
     /// Error of the relief, in pixels
     #[arg(long, value_name = "PX", default_value_t = 1.0, value_parser = not_negative)]
     pub tolerance: f64,
+    /// Leaves and grass: spring, summer (as painted), autumn or winter
+    #[arg(long, value_name = "NAME", conflicts_with = "day")]
+    pub season: Option<SeasonName>,
+    /// The season of this day of the year, 1 to 366; south of the equator half a year later
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=366))]
+    pub day: Option<u32>,
     /// A map on the ground, .fmap
     #[arg(long, value_name = "FILE")]
     pub map: Option<PathBuf>,
@@ -167,6 +173,14 @@ pub(in crate::cli) struct Forest {
     /// Texels of the map's texture, each way
     #[arg(long, value_name = "N", default_value_t = 1024, requires = "map", value_parser = clap::value_parser!(u32).range(1..=8192))]
     pub map_texture: u32,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum SeasonName {
+    Spring,
+    Summer,
+    Autumn,
+    Winter,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
