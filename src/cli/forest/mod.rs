@@ -8,6 +8,7 @@ mod compose;
 mod figures;
 mod foreign;
 pub(super) mod frame;
+mod import;
 mod inspect;
 mod labels;
 pub(super) mod maps;
@@ -41,6 +42,7 @@ impl ForestCommand {
             Some(Verb::Pack(ref pack)) => return pack.run(),
             Some(Verb::Unpack(ref unpack)) => return unpack.run(),
             Some(Verb::New(ref new)) => return new.run(),
+            Some(Verb::Import(ref import)) => return import.run(),
             None => {}
         }
         self.check()?;

@@ -1,5 +1,6 @@
 //! What may be asked of `farop forest`.
 
+use super::import::Import;
 use super::stock::{New, Pack, Unpack};
 use crate::cli::options::{encoding, finite, not_negative, point, size};
 use crate::color::Encoding;
@@ -48,6 +49,7 @@ pub(in crate::cli) enum Verb {
     Pack(Pack),
     Unpack(Unpack),
     New(New),
+    Import(Box<Import>),
 }
 
 /// Where a picture is seen from.

@@ -66,7 +66,7 @@ pub(super) fn is_pack(path: &Path) -> bool {
 }
 
 /// Refuses a name that nobody would open again, before any work.
-fn check_ending(path: &Path, ending: &str) -> Result<(), CliError> {
+pub(super) fn check_ending(path: &Path, ending: &str) -> Result<(), CliError> {
     let fits = path.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending));
     if fits || path.as_os_str() == "-" || path.starts_with("/dev") {
         return Ok(());
@@ -89,7 +89,7 @@ impl Pack {
 }
 
 /// What a pack came to be.
-fn told(path: &Path, counts: &pack::PackCounts) -> Result<(), CliError> {
+pub(super) fn told(path: &Path, counts: &pack::PackCounts) -> Result<(), CliError> {
     let mean = counts.bytes / (counts.cells as u64).max(1);
     error::print(&format!(
         "{}: {} cells, {} bytes: {mean} a cell, {} the largest\n",
@@ -120,7 +120,7 @@ impl Unpack {
 }
 
 /// A broken cell speaks for itself; everything else is about the file that is written.
-fn written(path: &Path, error: std::io::Error) -> CliError {
+pub(super) fn written(path: &Path, error: std::io::Error) -> CliError {
     if error.kind() == std::io::ErrorKind::InvalidData {
         return CliError::failed(error);
     }

@@ -10,7 +10,8 @@ use super::canvas::{Canvas, Paint};
 use super::chance::{Chance, noise, octaves};
 
 /// All grounds that the program paints, as `paint:NAME` says them.
-pub const GROUNDS: [&str; 9] = ["pine_floor", "grass", "heath", "field", "water", "rock", "sand", "snow", "road"];
+pub const GROUNDS: [&str; 11] =
+    ["pine_floor", "grass", "heath", "field", "water", "rock", "sand", "snow", "road", "slash", "burnt"];
 
 /// Small things that lie about.
 struct Litter {
@@ -36,6 +37,8 @@ pub(super) fn paint(name: &str) -> Option<Canvas> {
         "water" => (Canvas::of_ground(move |x, y| water(seed, x, y)), Vec::new()),
         "rock" => (Canvas::of_ground(move |x, y| rock(seed, x, y)), Vec::new()),
         "sand" => (Canvas::of_ground(mixed([0.70, 0.62, 0.45], [0.82, 0.75, 0.58], 9)), sand()),
+        "slash" => (Canvas::of_ground(mixed([0.36, 0.29, 0.19], [0.52, 0.44, 0.30], 7)), slash()),
+        "burnt" => (Canvas::of_ground(mixed([0.09, 0.085, 0.08], [0.24, 0.22, 0.20], 7)), burnt()),
         "snow" => (Canvas::of_ground(mixed([0.86, 0.89, 0.94], [0.97, 0.98, 1.0], 5)), Vec::new()),
         _ => (Canvas::of_ground(mixed([0.47, 0.44, 0.40], [0.58, 0.55, 0.50], 12)), gravel()),
     };
@@ -104,6 +107,27 @@ fn heath() -> Vec<Litter> {
 fn stubble() -> Vec<Litter> {
     let stalks = [[0.004, 0.0012], [0.012, 0.002]];
     vec![Litter { count: 3500, sizes: stalks, colors: [[0.56, 0.47, 0.24], [0.83, 0.74, 0.46]], upright: true }]
+}
+
+/// Branches that were left, and stumps.
+fn slash() -> Vec<Litter> {
+    let branches = [[0.008, 0.0014], [0.024, 0.0026]];
+    let stumps = [[0.007, 0.006], [0.011, 0.009]];
+    vec![
+        Litter { count: 2600, sizes: branches, colors: [[0.29, 0.22, 0.14], [0.58, 0.49, 0.34]], upright: false },
+        Litter { count: 60, sizes: stumps, colors: [[0.62, 0.50, 0.33], [0.78, 0.66, 0.46]], upright: false },
+    ]
+}
+
+/// Ash, charred branches and stumps.
+fn burnt() -> Vec<Litter> {
+    let branches = [[0.008, 0.0012], [0.022, 0.0024]];
+    let stumps = [[0.006, 0.005], [0.010, 0.008]];
+    vec![
+        Litter { count: 1500, sizes: branches, colors: [[0.03, 0.03, 0.03], [0.12, 0.11, 0.10]], upright: false },
+        Litter { count: 900, sizes: branches, colors: [[0.30, 0.29, 0.28], [0.46, 0.45, 0.43]], upright: false },
+        Litter { count: 60, sizes: stumps, colors: [[0.02, 0.02, 0.02], [0.07, 0.06, 0.06]], upright: false },
+    ]
 }
 
 fn sand() -> Vec<Litter> {

@@ -6,14 +6,14 @@
 //! one on WGS 84 (EPSG:326zz or 327zz), and each sample of the cell asks the grid at its longitude and latitude. A picture (`.png`) says
 //! nothing about where it lies: its borders are laid on those of the cell.
 //!
-//! Why sixteenths of a metre from a whole metre on: both are exact in binary, so the samples on a common border of two cells, which
-//! lie at the same place, have the same height to the last bit whatever else is in the cells.
+//! Samples on a common border of two cells lie at the same place and have the same height to the last bit (`forest::lattice`).
 
 use super::Reader;
 use super::ground::HIGHEST;
 use crate::diagnostic::{Diagnostic, Span};
-use crate::forest::area::{CellIndex, Ground};
+use crate::forest::area::CellIndex;
 use crate::forest::elevation::{Grid, Unit, Utm, from_utm};
+use crate::forest::lattice::lattice;
 use crate::parse::grids::{GridOptions, load_grid};
 use crate::parse::statements::did_you_mean;
 use crate::parse::wording::quote;
@@ -23,8 +23,6 @@ use std::rc::Rc;
 
 /// Columns and rows of a cell where the file does not say: every 30 m in a cell of 240.
 const USUAL_SIZE: [u16; 2] = [9, 9];
-/// Metres of a count, doubled until the heights of a cell fit.
-const STEP: f64 = 1.0 / 16.0;
 
 /// Grids that were read, by name and by what black and white mean.
 pub(super) struct Grids<'a> {
@@ -161,19 +159,6 @@ fn utm_zone(crs: &str) -> Option<Map> {
     (matches!(number / 100, 326 | 327) && (1..=60).contains(&zone)).then_some(Map::Degrees { zone, south })
 }
 
-/// Heights as counts of a power of two of a metre.
-fn lattice(size: [u16; 2], heights: &[f64]) -> Ground {
-    let known = || heights.iter().copied().filter(|height| !height.is_nan());
-    let (low, high) = (known().fold(f64::INFINITY, f64::min), known().fold(f64::NEG_INFINITY, f64::max));
-    let base = if low <= high { ((low + high) / 2.0).round() } else { 0.0 };
-    let mut step = STEP;
-    while (high - base).max(base - low) / step > f64::from(i16::MAX) {
-        step *= 2.0;
-    }
-    let count = |height: f64| if height.is_nan() { Ground::VOID } else { ((height - base) / step).round() as i16 };
-    Ground::Lattice { size, base, step, counts: heights.iter().map(|&height| count(height)).collect() }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -188,17 +173,5 @@ mod tests {
         for crs in ["", "EPSG:3763", "EPSG:32600", "EPSG:32661", "UTM 29"] {
             assert_eq!(zone(crs), None, "{crs}");
         }
-    }
-
-    #[test]
-    fn the_same_height_has_the_same_bits_in_both_cells() {
-        let shared = 412.34;
-        let [left, right] =
-            [[shared, 300.0, 410.0, 420.0], [shared, 2000.0, 1.0, 7.0]].map(|heights| lattice([2, 2], &heights));
-        assert_eq!(left.sample(0, 0).to_bits(), right.sample(0, 0).to_bits());
-        assert!((left.sample(0, 0) - shared).abs() <= STEP / 2.0);
-        assert!(lattice([2, 2], &[f64::NAN; 4]).sample(0, 0).is_nan());
-        let high = lattice([2, 2], &[-9000.0, 9000.0, 0.0, 0.5]);
-        assert_eq!(high.sample(1, 0), 9000.0);
     }
 }
