@@ -237,7 +237,7 @@ fn bad_geojson_names_feature_and_line() {
 /// 9 x 9 heights, 30 m apart; `corner` is where they lie.
 fn grid(desk: &Desk, name: &str, corner: &str) {
     let row = "400 410 425 410 400 404 420 430 410\n";
-    desk.write(name, &format!("ncols 9\nnrows 9\n{corner}\nNODATA_value -9999\n{}", row.repeat(9)));
+    desk.write(name, format!("ncols 9\nnrows 9\n{corner}\nNODATA_value -9999\n{}", row.repeat(9)));
 }
 
 #[test]
