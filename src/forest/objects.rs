@@ -19,6 +19,9 @@ use std::collections::BTreeMap;
 /// Scenes by the name that areas call them.
 pub type Models = BTreeMap<String, Scene>;
 
+/// The smallest scale of an object; the largest is its inverse.
+pub const SMALLEST_SCALE: f64 = 1e-6;
+
 /// A scene and where it stands.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Standing {

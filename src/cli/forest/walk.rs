@@ -15,6 +15,8 @@ use std::path::Path;
 
 /// The radius of an observer in metres: shoulders.
 const SHOULDERS: f64 = 0.3;
+/// The most bytes of samples.
+const MOST_INPUT: u64 = 1 << 25;
 /// The eye looks ahead as far as it comes in so many seconds, and at least [`LEAST_AHEAD`] metres.
 const SECONDS_AHEAD: f64 = 3.0;
 const LEAST_AHEAD: f64 = 20.0;
@@ -92,12 +94,17 @@ fn steered(command: &ForestCommand, cells: &Cells, observer: &mut Observer) -> R
     let is_standard = path == Path::new("-");
     let mut text = Vec::new();
     let read = if is_standard {
-        std::io::stdin().lock().read_to_end(&mut text)
+        std::io::stdin().lock().take(MOST_INPUT).read_to_end(&mut text)
     } else {
-        std::fs::File::open(path).and_then(|mut file| file.read_to_end(&mut text))
+        std::fs::File::open(path).and_then(|file| file.take(MOST_INPUT).read_to_end(&mut text))
     };
     let name = if is_standard { "<stdin>".to_string() } else { path.display().to_string() };
     read.map_err(|error| CliError::failed(format!("cannot read `{name}`: {error}")))?;
+    if text.len() as u64 == MOST_INPUT {
+        return Err(CliError::failed(format!(
+            "`{name}` does not end: more than {MOST_INPUT} bytes, ten hours of steering"
+        )));
+    }
     let steering = read_steering(&text).map_err(|error| CliError::failed(format!("`{name}`: {error}")))?;
     if let Some(cut) = &steering.cut {
         notice(&format!("`{name}` ends in the middle of a line, which is left out: {cut:?}"));

@@ -10,6 +10,11 @@
 use super::View;
 use crate::math::Vec3;
 
+/// The part of a face of the land that a view shows; its corners.
+pub(super) fn in_view(view: &View, face: &[Vec3]) -> Vec<Vec3> {
+    planes_of_view(view).iter().fold(face.to_vec(), |face, plane| cut(&face, plane))
+}
+
 /// Inside is where `normal . p >= offset`.
 type HalfSpace = (Vec3, f64);
 

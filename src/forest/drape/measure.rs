@@ -6,7 +6,8 @@
 //! by the other is a matrix that takes a step of a pixel to texels, and its smaller singular value says how many texels the pixel's worst
 //! direction gets. Less than 1 is blur; about 1 is as sharp as the screen.
 //!
-//! The land is somewhere between the bottom and the top of its box, so rays of the view are taken to the bottom, the middle and the top.
+//! Where only its box is known, the land is somewhere between the bottom and the top, so rays of the view are taken to the bottom, the middle and the top of it. Where its
+//! faces are, their middles are taken.
 //!
 //! Space: world, pixels, texels. Cost: some 30 products a point.
 
@@ -16,6 +17,13 @@ use crate::math::{Mat2, Vec2, Vec3};
 
 /// Rays across and down.
 const RAYS: [usize; 2] = [24, 18];
+
+/// A place on the land and the upward normal of the land there.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Spot {
+    pub point: Vec3,
+    pub normal: Vec3,
+}
 
 /// Texels a pixel gets, over many pixels of a view.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,7 +38,11 @@ impl Texels {
     /// Of a map of `side` x `side` texels; `None` where none of the land is in view.
     #[must_use]
     pub fn of(drape: &Drape, view: &View, side: u32) -> Option<Texels> {
-        let mut texels: Vec<f64> = points(view).iter().map(|&point| texels_at(drape, view, point)).collect();
+        Texels::at(drape, view, &points(view), side)
+    }
+
+    pub(super) fn at(drape: &Drape, view: &View, spots: &[Spot], side: u32) -> Option<Texels> {
+        let mut texels: Vec<f64> = spots.iter().map(|&spot| texels_at(drape, view, spot)).collect();
         texels.sort_by(f64::total_cmp);
         let at = |index: usize| texels.get(index).map(|texels| texels * f64::from(side));
         Some(Texels { first_percentile: at(texels.len() / 100)?, median: at(texels.len() / 2)? })
@@ -38,7 +50,7 @@ impl Texels {
 }
 
 /// Places that rays of the view meet, at the bottom, in the middle and at the top of the land.
-pub(super) fn points(view: &View) -> Vec<Vec3> {
+pub(super) fn points(view: &View) -> Vec<Spot> {
     let [low, high] = view.land;
     let half = half_picture(view);
     let mut points = Vec::new();
@@ -52,22 +64,22 @@ pub(super) fn points(view: &View) -> Vec<Vec3> {
             let point = view.from + direction * depth;
             let inside = point.x >= low.x && point.x <= high.x && point.y >= low.y && point.y <= high.y;
             if inside && depth >= view.depths[0] && depth <= view.depths[1] {
-                points.push(Vec3::new(point.x, point.y, height));
+                points.push(Spot { point: Vec3::new(point.x, point.y, height), normal: Vec3::Z });
             }
         }
     }
     points
 }
 
-/// The fewest that any of `points` gets, in widths of the texture.
-pub(super) fn worst(drape: &Drape, view: &View, points: &[Vec3]) -> f64 {
-    points.iter().map(|&point| texels_at(drape, view, point)).fold(f64::INFINITY, f64::min)
+/// The fewest that any of `spots` gets, in widths of the texture.
+pub(super) fn worst(drape: &Drape, view: &View, spots: &[Spot]) -> f64 {
+    spots.iter().map(|&spot| texels_at(drape, view, spot)).fold(f64::INFINITY, f64::min)
 }
 
-/// What a step of a pixel at `point` is on the map in its worst direction, in widths of the texture; 0 where nothing is known.
-fn texels_at(drape: &Drape, view: &View, point: Vec3) -> f64 {
-    let map = map_from_ground(&drape.texture_from_ground, point.truncate());
-    let smaller = smaller_singular_value(map * pixels_from_ground(view, point).inverse());
+/// What a step of a pixel at a spot is on the map in its worst direction, in widths of the texture; 0 where nothing is known.
+fn texels_at(drape: &Drape, view: &View, spot: Spot) -> f64 {
+    let map = map_from_ground(&drape.texture_from_ground, spot.point.truncate());
+    let smaller = smaller_singular_value(map * pixels_from_ground(view, spot).inverse());
     if smaller.is_finite() { smaller } else { 0.0 }
 }
 
@@ -78,8 +90,8 @@ fn map_from_ground(matrix: &crate::math::Mat3, ground: Vec2) -> Mat2 {
     Mat2::from_cols(column(matrix.x_axis), column(matrix.y_axis))
 }
 
-/// How the pixel changes with the place on a level ground.
-fn pixels_from_ground(view: &View, point: Vec3) -> Mat2 {
+/// How the pixel changes with the place on the ground, which rises and falls as its normal says.
+fn pixels_from_ground(view: &View, Spot { point, normal }: Spot) -> Mat2 {
     let arm = point - view.from;
     let depth = arm.dot(view.ahead);
     let (x, y) = (arm.dot(view.right) / depth, arm.dot(view.up) / depth);
@@ -87,7 +99,8 @@ fn pixels_from_ground(view: &View, point: Vec3) -> Mat2 {
         let step = Vec2::new(axis.dot(view.right), axis.dot(view.up)) - Vec2::new(x, y) * axis.dot(view.ahead);
         step * (view.focal / depth)
     };
-    Mat2::from_cols(column(Vec3::X), column(Vec3::Y))
+    let step = |axis: Vec3| axis - Vec3::Z * (normal.dot(axis) / normal.z);
+    Mat2::from_cols(column(step(Vec3::X)), column(step(Vec3::Y)))
 }
 
 fn smaller_singular_value(matrix: Mat2) -> f64 {

@@ -20,8 +20,9 @@ mod warp;
 pub use measure::Texels;
 
 use super::frustum;
-use crate::math::{Mat3, Vec2, Vec3};
+use crate::math::{Mat3, Vec2, Vec3, newell_normal};
 use crate::scene::Camera;
+use measure::Spot;
 
 /// A picture of the land: who looks, how far, and the box that the land lies in.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -97,11 +98,41 @@ impl Drape {
     #[must_use]
     pub fn new(method: Method, view: &View) -> Option<Drape> {
         let body = body::seen(view);
+        Drape::by(method, view, &body, &measure::points(view))
+    }
+
+    /// The drape for the faces of the land itself, and how many texels of `side` x `side` a pixel gets on them. The box of a mountain holds much air, and a
+    /// map need not be sharp there.
+    #[must_use]
+    pub fn on_land<'a>(
+        method: Method,
+        view: &View,
+        side: u32,
+        faces: impl Iterator<Item = &'a [Vec3]>,
+    ) -> Option<(Drape, Texels)> {
+        let (mut body, mut spots) = (Vec::new(), Vec::new());
+        for face in faces {
+            let part = body::in_view(view, face);
+            let normal = newell_normal(face);
+            let is_upright = normal.z > 0.0 && part.len() > 2;
+            let middle = part.iter().sum::<Vec3>() / part.len().max(1) as f64;
+            // What turns away from the eye shows nothing.
+            if is_upright && normal.dot(view.from - middle) > 0.0 {
+                spots.push(Spot { point: middle, normal });
+            }
+            body.extend(part);
+        }
+        let spots: Vec<Spot> = spots.iter().step_by(spots.len().div_ceil(MOST_SPOTS).max(1)).copied().collect();
+        let drape = Drape::by(method, view, &body, &spots)?;
+        Some((drape, Texels::at(&drape, view, &spots, side)?))
+    }
+
+    fn by(method: Method, view: &View, body: &[Vec3], spots: &[Spot]) -> Option<Drape> {
         match method {
-            Method::Uniform => warp::uniform(&body),
-            Method::Thesis => warp::Ahead::of(view).thesis(&body),
-            Method::Program => warp::Ahead::of(view).program(&body, view.depths[0]),
-            Method::Searched => searched(view, &body),
+            Method::Uniform => warp::uniform(body),
+            Method::Thesis => warp::Ahead::of(view).thesis(body),
+            Method::Program => warp::Ahead::of(view).program(body, view.depths[0]),
+            Method::Searched => searched(view, body, spots),
         }
     }
 
@@ -117,14 +148,15 @@ impl Drape {
 const STEPS: usize = 120;
 /// 10 to the power of 1/20.
 const STEP: f64 = 1.122_018_454_301_963_3;
+/// Spots of the land that a drape is judged by.
+const MOST_SPOTS: usize = 1500;
 /// Halvings of the step around the best.
 const HALVINGS: usize = 5;
 
-fn searched(view: &View, body: &[Vec3]) -> Option<Drape> {
+fn searched(view: &View, body: &[Vec3], spots: &[Spot]) -> Option<Drape> {
     let uniform = warp::uniform(body)?;
     let ahead = warp::Ahead::of(view);
-    let points = measure::points(view);
-    let worst = |drape: &Drape| measure::worst(drape, view, &points);
+    let worst = |drape: &Drape| measure::worst(drape, view, spots);
     let depth = ahead.depth(body);
     let mut best = (worst(&uniform), uniform);
     let mut strength = depth * 1e-3;

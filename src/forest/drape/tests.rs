@@ -93,7 +93,8 @@ fn texels_are_those_of_small_steps() {
     };
     for method in [Method::Uniform, Method::Searched] {
         let drape = Drape::new(method, &view).expect("land in view");
-        for point in measure::points(&view).into_iter().step_by(37) {
+        for spot in measure::points(&view).into_iter().step_by(37) {
+            let point = spot.point;
             let worst = (0..3600).map(|angle| {
                 let angle = f64::from(angle) / 3600.0 * crate::math::PI;
                 let step = Vec3::new(crate::math::cos(angle), crate::math::sin(angle), 0.0) * 1e-3;
@@ -102,8 +103,39 @@ fn texels_are_those_of_small_steps() {
                     / (pixel(point + step) - pixel(point - step)).length()
             });
             let worst = worst.fold(f64::INFINITY, f64::min);
-            let found = measure::worst(&drape, &view, &[point]);
+            let found = measure::worst(&drape, &view, &[spot]);
             assert!((found / worst - 1.0).abs() < 1e-3, "{point}: {found} {worst}");
+        }
+    }
+}
+
+/// A plane half as high as the box: judged by its own faces a map is at least as sharp on it as one that is fit to the box.
+#[test]
+fn the_land_itself_is_a_better_measure_than_its_box() {
+    for (height, slope) in VIEWS.into_iter().zip([0.0, 0.02, -0.01, 0.01, 0.0, 0.02]) {
+        let mut view = view(height, 10.0);
+        view.land[1].z += 400.0;
+        view.land[0].z -= 400.0;
+        let middle = view.from.truncate();
+        let at = |x: f64, y: f64| (middle + Vec2::new(x, y) * 100.0).extend(25.0 + slope * 100.0 * x);
+        let faces: Vec<[Vec3; 4]> = (-20..20)
+            .flat_map(|x| (-20..20).map(move |y| (f64::from(x), f64::from(y))))
+            .map(|(x, y)| [at(x, y), at(x + 1.0, y), at(x + 1.0, y + 1.0), at(x, y + 1.0)])
+            .collect();
+        let (drape, texels) =
+            Drape::on_land(Method::Searched, &view, 1024, faces.iter().map(<[Vec3; 4]>::as_slice)).expect("in view");
+        let spots: Vec<Spot> = faces
+            .iter()
+            .map(|face| (body::in_view(&view, face), newell_normal(face)))
+            .filter(|(part, _)| part.len() > 2)
+            .map(|(part, normal)| Spot { point: part.iter().sum::<Vec3>() / part.len() as f64, normal })
+            .collect();
+        let of_box = Drape::new(Method::Searched, &view).expect("in view");
+        let by_box = Texels::at(&of_box, &view, &spots, 1024).expect("in view");
+        assert!(texels.first_percentile >= 0.99 * by_box.first_percentile, "{height:?}: {texels:?} {by_box:?}");
+        for spot in spots {
+            let place = drape.place(spot.point.truncate()).expect("ahead of the center");
+            assert!(place.min_element() > -1e-9 && place.max_element() < 1.0 + 1e-9);
         }
     }
 }

@@ -147,8 +147,14 @@ impl GroundMap {
             Laying::Drawn(method, side) => (method, side),
         };
         let view = View::of_camera(camera, size, ground.0, land(ground.1)?);
-        let drape = Drape::new(method, &view)?;
-        self.figures = Texels::of(&drape, &view, side).map(|texels| MapFigures { texels, strength: drape.strength });
+        let outlines = ground.1.iter().flat_map(|Surface { mesh, .. }| {
+            mesh.polygons
+                .iter()
+                .map(|polygon| mesh.outline(polygon).iter().map(|&at| mesh.vertices[at as usize]).collect())
+        });
+        let faces: Vec<Vec<Vec3>> = outlines.collect();
+        let (drape, texels) = Drape::on_land(method, &view, side, faces.iter().map(Vec::as_slice))?;
+        self.figures = Some(MapFigures { texels, strength: drape.strength });
         let texels = draw(&self.shapes, &drape, side, &|place| view.metres_a_pixel(place))?;
         let ([x, y], width) = self.square;
         let ground_from_place = Mat3::from_cols(Vec3::X * width, Vec3::Y * width, Vec3::new(x, y, 1.0));

@@ -13,7 +13,7 @@
 
 use super::bytes::{Reader, chunk, chunks, push_chunk, push_count, push_f64, push_text};
 use crate::forest::area::{Cover, Form, Head, Mark, Species};
-use crate::forest::objects::Standing;
+use crate::forest::objects::{SMALLEST_SCALE, Standing};
 use crate::scene::Place;
 
 /// The chunks of `head`, one behind the other.
@@ -125,6 +125,11 @@ fn check(head: &Head) -> Result<(), String> {
     }
     if head.covers.len() > 255 || head.species.len() > 65_535 {
         return Err("it has more than 255 covers or 65535 species".to_string());
+    }
+    if let Some(object) =
+        head.objects.iter().find(|object| !(SMALLEST_SCALE..=1.0 / SMALLEST_SCALE).contains(&object.scale))
+    {
+        return Err(format!("the object `{}` has the scale {}", object.file, object.scale));
     }
     match head.covers.iter().find(|cover| !(cover.tile > 0.0 && cover.tile.is_finite())) {
         Some(cover) => Err(format!("cover {} repeats after {} m", cover.number, cover.tile)),

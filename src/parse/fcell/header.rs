@@ -3,7 +3,7 @@
 use super::Reader;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::forest::area::{Cover, Form, Mark, Species};
-use crate::forest::objects::Standing;
+use crate::forest::objects::{SMALLEST_SCALE, Standing};
 use crate::forest::paint;
 use crate::parse::statements::did_you_mean;
 use crate::parse::wording::quote;
@@ -11,8 +11,6 @@ use std::path::Path;
 
 /// The largest coordinate of a map.
 const FARTHEST: f64 = 1e9;
-/// The smallest scale of an object; the largest is its inverse.
-const SMALLEST: f64 = 1e-6;
 /// The largest side of a cell.
 const LARGEST_SIDE: f64 = 100_000.0;
 /// Metres that a picture covers where the file does not say: Landscaper's.
@@ -155,7 +153,7 @@ impl Reader<'_> {
             turn = self.words.within("the turn in degrees", -FARTHEST..=FARTHEST)?;
         }
         if !self.words.peek().begins_statement() {
-            scale = self.words.within("the scale", SMALLEST..=1.0 / SMALLEST)?;
+            scale = self.words.within("the scale", SMALLEST_SCALE..=1.0 / SMALLEST_SCALE)?;
         }
         self.head.objects.push(Standing { file, at, turn, scale, place });
         Ok(())
