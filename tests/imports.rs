@@ -159,3 +159,25 @@ fn broken_shapefiles_do_no_harm_and_are_told() {
     let outcome = desk.run("forest alone.shp");
     assert!(outcome.code == 2 && outcome.stderr.contains("no shapefile"), "{}", outcome.stderr);
 }
+
+#[test]
+fn dted_with_a_wrong_checksum_names_the_column() {
+    use farop::parse::{GridOptions, read_grid};
+    // Two columns of two heights.
+    let mut tile = b"UHL10010000E0420000N00300030".to_vec();
+    tile.resize(47, b' ');
+    tile.extend(b"00020002");
+    tile.resize(80 + 648 + 2700, b' ');
+    for column in 0..2_u8 {
+        let mut record = vec![0xAA, 0, 0, column, 0, column, 0, 0, 0, 7, 0, 9];
+        let sum: u32 = record.iter().map(|&byte| u32::from(byte)).sum();
+        record.extend(sum.to_be_bytes());
+        tile.extend(record);
+    }
+    let read = |tile: &[u8]| read_grid(Path::new("a.dt0"), tile, &GridOptions::default());
+    assert!(read(&tile).is_ok());
+    let last = tile.len() - 1;
+    tile[last] ^= 1;
+    let errors = read(&tile).expect_err("it is damaged").to_string();
+    assert!(errors.contains("column 1: its bytes add up"), "{errors}");
+}
