@@ -301,7 +301,7 @@ fn means_are_shared_by_all_steps_of_a_fade() {
     assert_eq!(trees[2].fade, Some(Fade { from: 0, to: 4 }));
     let mut text = Vec::new();
     let notices = write_sipp(&landscape(), &mut text).expect("memory");
-    assert!(notices.iter().any(|notice| notice.contains("without its fade or its mosaic: 11")), "{notices:?}");
+    assert!(notices.iter().any(|notice| notice.contains("without its fade, its mosaic or its map: 11")), "{notices:?}");
 }
 
 #[test]

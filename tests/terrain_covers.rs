@@ -173,7 +173,7 @@ fn the_command_keeps_borders_and_says_so() {
     assert!(triangles.is_sorted() && triangles[0] * 4 < triangles[4], "{triangles:?}");
     desk.done("terrain land.asc --units metres --covers land.fcell -o land.nff");
     let walk = "terrain land.asc --units metres --covers land.fcell --criterion view --walk 100,100,150 --steps 3";
-    assert!(String::from_utf8_lossy(&desk.done(walk).stdout).contains("no wrong cover farther than 30.00 m"));
+    assert!(String::from_utf8_lossy(&desk.done(walk).stdout).contains("30.00 m asked: no wrong cover farther than"));
 }
 
 #[test]
